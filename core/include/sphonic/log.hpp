@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+/// Messages for people, on stderr. Results never come this way.
+namespace sphonic::log {
+
+void info(const std::string& message);
+void warn(const std::string& message);
+void error(const std::string& message);
+/// Only warnings and errors from here on.
+void quiet();
+
+}    // namespace sphonic::log

@@ -1,0 +1,66 @@
+#pragma once
+#include <memory>
+#include <sphonic/plugin/abi/arrangement.hpp>
+#include <sphonic/plugin/abi/source.hpp>
+
+namespace sphonic::abi {
+
+/// What a running simulation shows of itself; valid until the next step.
+struct Snapshot {
+    Points points;                                       ///< where p is known
+    const double* p = nullptr;                           ///< [Pa]
+    const double* u[3] = {nullptr, nullptr, nullptr};    ///< [m/s] at the points
+};
+
+/// A discretised scene in time.
+class Solver {
+public:
+    virtual ~Solver() = default;
+
+    /// Largest stable step [s]; infinity where none is known.
+    virtual double dt_limit() const = 0;
+    /// Fix the step and set the initial state; called once, before `step`.
+    virtual void start(double dt) = 0;
+    virtual void step() = 0;
+    virtual double time() const = 0;
+    virtual Snapshot snapshot() = 0;
+    /// The scheme's own discrete energy [J/m^(3-d)].
+    virtual double energy() = 0;
+    virtual const char* tier() const = 0;
+    /// Mean number of neighbours without the particle itself.
+    virtual double neighbours_mean() const = 0;
+    /// Bytes held by fields, weights and lists.
+    virtual double memory_bytes() const = 0;
+};
+
+/// A source with the region it acts on.
+struct PlacedSource {
+    const Source* source = nullptr;
+    /// Writes 1 for each point inside, else 0.
+    void (*inside)(const void* region, const Points& points, unsigned char* out) = nullptr;
+    const void* region = nullptr;
+};
+
+/// The scene as a method sees it.
+struct Scene {
+    Box box;
+    Medium medium;
+    double until = 0;    ///< [s]
+    const PlacedSource* sources = nullptr;
+    int source_count = 0;
+    /// The runtime's particle solver for this scene.
+    std::unique_ptr<Solver> (*particles)(const void* host) = nullptr;
+    const void* host = nullptr;
+};
+
+/// A discretisation: particles, or a baseline that runs the same case.
+class Method {
+public:
+    static constexpr const char* kind = "method";
+    virtual ~Method() = default;
+    virtual std::unique_ptr<Solver> discretise(const Scene& scene) const = 0;
+    /// False for a method that needs no kernel, equations or viscosity; a case that names them then gets a warning.
+    virtual bool meshfree() const = 0;
+};
+
+}    // namespace sphonic::abi

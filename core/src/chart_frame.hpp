@@ -1,0 +1,49 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "chart_ink.hpp"
+#include "chart_scale.hpp"
+
+namespace sphonic::charting {
+
+struct PointLabel {
+    std::string text;
+    Pixel point;          ///< what it names
+    Box box;              ///< where it stands
+    bool leader = false;  ///< too far from its point to be read without a line
+};
+
+struct Legend {
+    enum class Place { none, top_right, top_left, bottom_right, bottom_left, beside, below } place = Place::none;
+    int columns = 1;
+    double width = 0, height = 0;    ///< [px]
+};
+
+/// A panel with everything placed: the rectangle of its data, its axes, legend and point labels.
+struct Frame {
+    Box cell, data;
+    Scale x, y;
+    std::vector<Tick> x_ticks, y_ticks;
+    Legend legend;
+    std::vector<PointLabel> labels;
+
+    Pixel at(double px, double py) const {
+        return {data.left + data.width() * x.fraction(px), data.bottom + data.height() * y.fraction(py)};
+    }
+};
+
+/// Font size [px] of a picture this wide: 13 pt at 1000 px.
+double font_of(int width);
+/// The font size that fits text into so many pixels.
+double fitted(const std::string& text, double font, double pixels);
+
+std::vector<Frame> lay_out(const Chart& chart);
+
+Ink ink_of(const Panel& panel, const Frame& frame, double font);
+std::vector<PointLabel> place_labels(const Panel& panel, const Frame& frame, const Ink& ink, double font);
+bool has_markers(const Curve& curve);
+/// Marker size as a multiple of gnuplot's: the more points, the smaller.
+double marker_size(const Curve& curve);
+
+}    // namespace sphonic::charting

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sphonic/chart.hpp"
+
+namespace sphonic::charting {
+
+/// How a curve is drawn, in gnuplot's words.
+struct Look {
+    std::vector<std::string> in_plot;    ///< passes over the data, lower first
+    std::string in_legend;
+    int layer;    ///< steps lie below the data, comparisons above
+};
+
+/// Looks of a panel's curves; `scale` enlarges lines and markers with the picture.
+std::vector<Look> looks_of(const Panel& panel, double scale);
+
+}    // namespace sphonic::charting

@@ -1,0 +1,9 @@
+#include <sphonic/plugin/form.hpp>
+
+/// rho_i sum_j m_j (f_i / rho_i^2 + f_j / rho_j^2) grad W_ij, with m_j = rho_j V_j: conserves momentum where densities vary.
+struct Symmetric {
+    static constexpr double own(double rho_i, double rho_j) { return rho_j / rho_i; }
+    static constexpr double other(double rho_i, double rho_j) { return rho_i / rho_j; }
+};
+
+SPHONIC_FORM("symmetric", Symmetric, "f_i/rho_i^2 + f_j/rho_j^2: conserves momentum where densities vary")

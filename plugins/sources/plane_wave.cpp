@@ -1,0 +1,73 @@
+#include <sphonic/plugin/source.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+/// p = amplitude sin(omega t - k . (x - phase_origin)), k = omega/c0 along `direction`; u = direction p / (rho0 c0).
+/// p (and what it is computed from) is imposed at every step, u at the start only.
+struct PlaneWaveSource final : abi::Source {
+    double amplitude = 1, omega = 0;
+    Vector direction, phase_origin;
+
+    static constexpr auto parameters() {
+        using S = PlaneWaveSource;
+        return std::array{
+            real("amplitude", &S::amplitude, "Pa", -infinite, infinite, "pressure amplitude"),
+            real("omega", &S::omega, "rad/s", positive, infinite, "angular frequency"),
+            vector("direction", &S::direction, "1", -infinite, infinite,
+                   "direction of travel, one component per dimension, normalised; +x if not given"),
+            vector("phase_origin", &S::phase_origin, "m", -infinite, infinite,
+                   "where the phase is zero at t = 0: put it on the edge of the region; the origin if not given")};
+    }
+
+    void prepare(int dimension, const abi::Medium& medium) override {
+        const auto fits = [&](const Vector& v) { return v.size == 0 || v.size == dimension; };
+        if (!fits(direction)) throw std::invalid_argument("direction needs one component per dimension");
+        if (!fits(phase_origin)) throw std::invalid_argument("phase_origin needs one component per dimension");
+        if (direction.size == 0) direction = {{1, 0, 0}, dimension};
+        const double length = std::hypot(direction.v[0], direction.v[1], direction.v[2]);
+        if (!(length > 0)) throw std::invalid_argument("direction has no length: give a vector other than zero");
+        emitted.amplitude = amplitude;
+        emitted.omega = omega;
+        for (int a = 0; a < 3; ++a) {
+            emitted.direction[a] = direction.v[a] / length;
+            emitted.origin[a] = phase_origin.v[a];
+        }
+        wave_number = omega / medium.c0;
+        impedance = medium.rho0 * medium.c0;
+    }
+    abi::Imposed imposed() const override { return {}; }
+    const abi::PlaneWave* wave() const override { return &emitted; }
+
+    void evaluate(double t, const abi::Points& points, const abi::AcousticField& out) const override {
+        for (int begin = 0; begin < points.n; begin += block) {
+            const int n = std::min(block, points.n - begin);
+            double p[block];
+            pressure(t, points, begin, n, p);
+            if (out.p) std::copy(p, p + n, out.p + begin);
+            for (int a = 0; a < points.dimension; ++a)
+                if (out.u[a])
+                    for (int i = 0; i < n; ++i) out.u[a][begin + i] = emitted.direction[a] / impedance * p[i];
+        }
+    }
+
+private:
+    static constexpr int block = 256;
+    abi::PlaneWave emitted;
+    double wave_number = 0, impedance = 1;
+
+    void pressure(double t, const abi::Points& points, int begin, int n, double* __restrict p) const {
+        std::fill(p, p + n, omega * t);
+        for (int a = 0; a < points.dimension; ++a) {
+            const double k = wave_number * emitted.direction[a], origin = emitted.origin[a];
+            const double* __restrict x = points.x[a] + begin;
+#pragma omp simd
+            for (int i = 0; i < n; ++i) p[i] -= k * (x[i] - origin);
+        }
+        const double A = amplitude;
+#pragma omp simd
+        for (int i = 0; i < n; ++i) p[i] = A * sin(p[i]);
+    }
+};
+
+SPHONIC_SOURCE("plane_wave", PlaneWaveSource, "Plane sine wave, imposed on the particles of its region")
