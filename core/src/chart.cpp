@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -81,7 +82,7 @@ int run_gnuplot(const fs::path& script, const fs::path& log) {
     return status;
 }
 
-/// gnuplot's SVG names one font and takes the style for a part of its name: viewers without it would fall back to serif.
+/// gnuplot's SVG names one font, without which viewers would fall back to serif, and takes its style for its name.
 std::string with_fallback_fonts(std::string svg) {
     const std::string sans = "font-family=\"DejaVu Sans, Verdana, sans-serif\"";
     for (const auto& [from, to] : {std::pair<std::string, std::string>{"font-family=\"DejaVu Sans:Bold\"",
@@ -111,7 +112,7 @@ bool draw(const Chart& chart, const fs::path& stem) {
         write(left, charting::script(chart, with_ending(name, ".png"), with_ending(name, ".svg")));
         return false;
     }
-    const std::string unique = "." + std::to_string(getpid()) + ".tmp";
+    const std::string unique = std::string(".tmp").append(std::to_string(getpid()));
     const fs::path png = with_ending(full, unique + ".png"), svg = with_ending(full, unique + ".svg");
     const fs::path source = with_ending(full, unique + ".gp"), log = with_ending(full, unique + ".log");
     write(source, charting::script(chart, png, svg));

@@ -10,32 +10,24 @@ using Place = Legend::Place;
 
 constexpr double line_height = 1.45, sample = 4.2;    // of the legend [em]
 
-Legend legend_of(const Panel& panel, double font) {
-    Legend legend;
-    double widest = 0;
-    int entries = 0;
-    for (const Curve& curve : panel.curves) {
-        if (curve.label.empty()) continue;
-        widest = std::max(widest, text_width(curve.label, font));
-        ++entries;
-    }
-    if (!panel.legend || entries == 0) return legend;
-    legend.place = Place::top_right;
-    legend.width = widest + (sample + 1) * font;
-    legend.height = (entries * line_height + 0.6) * font;
-    return legend;
+double legend_height(int rows, double font) { return (rows * line_height + 0.8) * font; }
+
+int entries_of(const Panel& panel) {
+    return static_cast<int>(std::ranges::count_if(panel.curves, [](const Curve& c) { return !c.label.empty(); }));
 }
 
-Box corner(const Frame& frame, Place place, double gap) {
-    const Legend& l = frame.legend;
-    const Box& d = frame.data;
-    const double w = l.width + gap, h = l.height + gap;
-    switch (place) {
-        case Place::top_left: return {d.left, d.top - h, d.left + w, d.top};
-        case Place::bottom_right: return {d.right - w, d.bottom, d.right, d.bottom + h};
-        case Place::bottom_left: return {d.left, d.bottom, d.left + w, d.bottom + h};
-        default: return {d.right - w, d.top - h, d.right, d.top};
+Legend legend_of(const Panel& panel, double font) {
+    Legend legend;
+    if (!panel.legend || entries_of(panel) == 0) return legend;
+    for (const Curve& curve : panel.curves) {
+        const auto letters = std::ranges::count_if(curve.label, [](char c) { return (c & 0xC0) != 0x80; });
+        legend.widest = std::max(legend.widest, text_width(curve.label, 1));
+        legend.longest = std::max(legend.longest, static_cast<double>(letters));
     }
+    legend.place = Place::top_right;
+    legend.width = (legend.widest + sample) * font;
+    legend.height = legend_height(entries_of(panel), font);
+    return legend;
 }
 
 /// The rectangle of the data and the ticks that determine it.
@@ -44,32 +36,33 @@ void fit_data(Frame& frame, const Panel& panel, double font) {
     const double side = beside ? frame.legend.width + font : 0, under = below ? frame.legend.height + 0.4 * font : 0;
     Box& data = frame.data;
     data.top = frame.cell.top - (panel.title.empty() ? 0.8 : 2.2) * font;
-    data.bottom = frame.cell.bottom + (panel.x.label.empty() ? 2.2 : 3.7) * font + under;
+    data.bottom = frame.cell.bottom + (panel.x.label.empty() ? 2.4 : 3.9) * font + under;
     frame.y_ticks = ticks_of(frame.y, std::max(data.height(), font), font, false);
-    double widest = 0;
-    for (const Tick& tick : frame.y_ticks) widest = std::max(widest, text_width(tick.text, font));
-    data.left = frame.cell.left + widest + (panel.y.label.empty() ? 1.2 : 3.0) * font;
+    data.left = frame.cell.left + widest(frame.y_ticks, font) + (panel.y.label.empty() ? 1.2 : 3.0) * font;
     data.right = frame.cell.right - 1.6 * font - side;
+    frame.x_ticks = ticks_of(frame.x, std::max(data.width(), font), font, true);
+    data.right = std::min(data.right, frame.cell.right - side - 0.5 * widest(frame.x_ticks, font) - 0.4 * font);
     frame.x_ticks = ticks_of(frame.x, std::max(data.width(), font), font, true);
 }
 
-/// The first corner with nothing in it, else beside the data or, in a narrow panel, below it.
+/// The first corner with nothing in it, else below the data or, where that takes too much height, beside it.
 void place_legend(Frame& frame, const Panel& panel, double font) {
     Legend& legend = frame.legend;
     if (legend.place == Place::none) return;
     const Ink ink = ink_of(panel, frame, font);
     for (const Place place : {Place::top_right, Place::top_left, Place::bottom_right, Place::bottom_left}) {
-        const Box box = corner(frame, place, font);
-        if (!frame.data.holds(box) || ink.under(box) > 0) continue;
         legend.place = place;
-        return;
+        const Box box = frame.legend_box(font);
+        if (frame.data.holds(box) && ink.under(box) == 0) return;
     }
-    legend.place = legend.width < 0.3 * frame.cell.width() ? Place::beside : Place::below;
-    if (legend.place == Place::below) {
-        const int entries = static_cast<int>(std::lround((legend.height / font - 0.6) / line_height));
-        legend.columns = std::clamp(static_cast<int>(frame.cell.width() / legend.width), 1, entries);
-        const int rows = (entries + legend.columns - 1) / legend.columns;
-        legend.height = (rows * line_height + 0.6) * font;
+    const int entries = entries_of(panel);
+    const int columns = std::clamp(static_cast<int>(frame.data.width() / legend.width), 1, entries);
+    const double below = legend_height((entries + columns - 1) / columns, font);
+    legend.place = Place::beside;
+    if (below < 0.2 * frame.cell.height() || legend.width > 0.3 * frame.cell.width()) {
+        legend.place = Place::below;
+        legend.columns = columns;
+        legend.height = below;
     }
     fit_data(frame, panel, font);
 }
@@ -80,23 +73,36 @@ Frame frame_of(const Panel& panel, const Box& cell, double font) {
     fit_data(frame, panel, font);
     place_legend(frame, panel, font);
     Ink ink = ink_of(panel, frame, font);
-    const Place place = frame.legend.place;
-    if (place != Place::none && place != Place::beside && place != Place::below)
-        ink.box(corner(frame, place, font), 20);
+    if (frame.legend_inside()) ink.box(frame.legend_box(0.7 * font), 20);
     frame.labels = place_labels(panel, frame, ink, font);
     return frame;
 }
 
 }    // namespace
 
-double font_of(int width) { return 13 / 0.75 * std::max(1.0, width / 1000.0); }
+bool Frame::legend_inside() const {
+    return legend.place != Place::none && legend.place != Place::beside && legend.place != Place::below;
+}
+
+Box Frame::legend_box(double gap) const {
+    const double w = legend.width + gap, h = legend.height + gap;
+    const bool top = legend.place == Place::top_left || legend.place == Place::top_right;
+    const bool left = legend.place == Place::top_left || legend.place == Place::bottom_left;
+    return {left ? data.left : data.right - w, top ? data.top - h : data.bottom, left ? data.left + w : data.right,
+            top ? data.top : data.bottom + h};
+}
+
+double font_of(const Chart& chart) {
+    const double width = chart.width / 1000.0, height = chart.height / 600.0;
+    return base_font * std::max(1.0, std::min(width, std::sqrt(width * height)));
+}
 
 double fitted(const std::string& text, double font, double pixels) {
     return font * std::clamp(pixels / std::max(1.0, text_width(text, font)), 0.5, 1.0);
 }
 
 std::vector<Frame> lay_out(const Chart& chart) {
-    const double font = font_of(chart.width), head = chart.title.empty() ? 0 : 2.2 * font;
+    const double font = font_of(chart), head = chart.title.empty() ? 0 : 2.2 * font;
     const int columns = std::max(1, chart.columns);
     std::vector<std::pair<int, int>> starts;    // row and column
     int row = 0, column = 0;

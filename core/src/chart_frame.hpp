@@ -18,6 +18,8 @@ struct Legend {
     enum class Place { none, top_right, top_left, bottom_right, bottom_left, beside, below } place = Place::none;
     int columns = 1;
     double width = 0, height = 0;    ///< [px]
+    double widest = 0;               ///< entry [em]
+    double longest = 0;              ///< entry [characters]
 };
 
 /// A panel with everything placed: the rectangle of its data, its axes, legend and point labels.
@@ -28,13 +30,16 @@ struct Frame {
     Legend legend;
     std::vector<PointLabel> labels;
 
+    bool legend_inside() const;
+    Box legend_box(double gap) const;    ///< of a legend inside
     Pixel at(double px, double py) const {
         return {data.left + data.width() * x.fraction(px), data.bottom + data.height() * y.fraction(py)};
     }
 };
 
-/// Font size [px] of a picture this wide: 13 pt at 1000 px.
-double font_of(int width);
+constexpr double base_font = 13 / 0.75;    ///< 13 pt [px]
+/// Font size [px]: the base for 1000 x 600 pixels, growing with the picture.
+double font_of(const Chart& chart);
 /// The font size that fits text into so many pixels.
 double fitted(const std::string& text, double font, double pixels);
 

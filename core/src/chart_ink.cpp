@@ -35,7 +35,8 @@ template <class Visit> void Ink::visit(const Box& box, Visit&& visit) const {
     const auto index = [](double distance, int count) {
         return static_cast<int>(std::clamp(std::floor(distance / cell), 0.0, count - 1.0));
     };
-    if (box.right < frame_.left || box.left > frame_.right || box.top < frame_.bottom || box.bottom > frame_.top) return;
+    if (box.right < frame_.left || box.left > frame_.right) return;
+    if (box.top < frame_.bottom || box.bottom > frame_.top) return;
     const int right = index(box.right - frame_.left, columns_), top = index(box.top - frame_.bottom, rows_);
     for (int row = index(box.bottom - frame_.bottom, rows_); row <= top; ++row)
         for (int column = index(box.left - frame_.left, columns_); column <= right; ++column)

@@ -15,6 +15,7 @@ struct Box {
 
     double width() const { return right - left; }
     double height() const { return top - bottom; }
+    Box grown(double by) const { return {left - by, bottom - by, right + by, top + by}; }
     bool holds(const Box& b) const { return left <= b.left && bottom <= b.bottom && b.right <= right && b.top <= top; }
     double shared(const Box& b) const {
         return std::max(0.0, std::min(right, b.right) - std::max(left, b.left)) *

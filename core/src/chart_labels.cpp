@@ -17,7 +17,8 @@ double marker_size(const Curve& curve) {
 Ink ink_of(const Panel& panel, const Frame& frame, double font) {
     Ink ink(frame.data);
     for (const Curve& curve : panel.curves) {
-        const double reach = has_markers(curve) ? 0.35 * font * marker_size(curve) : 0;
+        const double radius = curve.style == Curve::Style::steps ? 0.38 : 0.23;    // [em] of a marker of size 1
+        const double reach = has_markers(curve) ? radius * font * marker_size(curve) : 0;
         std::optional<Pixel> before;
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
             if (!frame.x.shows(curve.x[i]) || !frame.y.shows(curve.y[i])) {
@@ -46,19 +47,22 @@ struct Seat {
     double preference;
 };
 
-/// Seats around a point, nearest first: right, left, above, below, then between and farther.
+/// Seats around a point: right, left, above and below are preferred to those between, near ones to far ones.
 std::vector<Seat> seats(const PointLabel& label, double font) {
     const double w = label.box.width(), h = label.box.height();
     std::vector<Seat> found;
-    for (const double distance : {0.6, 1.0, 1.7, 2.6, 3.7, 5.0})
-        for (int k = 0; k < 16; ++k) {
-            const double turn = 2 * std::acos(-1.0) * k / 16, dx = std::cos(turn), dy = std::sin(turn);
+    constexpr int directions = 16;
+    for (const double distance : {0.8, 1.1, 1.7, 2.6, 3.7, 5.0, 6.5, 8.0, 10.0, 12.0})
+        for (int k = 0; k < directions; ++k) {
+            const double turn = 2 * std::acos(-1.0) * k / directions;
+            const double dx = std::cos(turn), dy = std::sin(turn);
             const double reach = distance * font;
             const Pixel centre{label.point.x + dx * reach + w / 2 * std::clamp(2 * dx, -1.0, 1.0),
                                label.point.y + dy * reach + h / 2 * std::clamp(2 * dy, -1.0, 1.0)};
-            const double preference = 0.4 * (k % 4 != 0) + 0.3 * (k % 2) + (dx < -0.1 ? 0.3 : 0) + (dy < -0.1 ? 0.1 : 0);
-            found.push_back({{centre.x - w / 2, centre.y - h / 2, centre.x + w / 2, centre.y + h / 2}, distance,
-                             preference});
+            const double between = 0.4 * (k % 4 != 0) + 0.3 * (k % 2);
+            const double preference = between + (dx < -0.1 ? 0.3 : 0) + (dy < -0.1 ? 0.1 : 0);
+            const Box box{centre.x - w / 2, centre.y - h / 2, centre.x + w / 2, centre.y + h / 2};
+            found.push_back({box, distance, preference});
         }
     return found;
 }
@@ -67,12 +71,13 @@ Pixel nearest(const Box& box, Pixel p) {
     return {std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.bottom, box.top)};
 }
 
-double cost_of(const Seat& seat, std::size_t self, const std::vector<PointLabel>& labels, const Box& frame,
+double cost_of(const Seat& seat, std::size_t self, const std::vector<PointLabel>& labels, const Box& room,
                const Ink& ink, double font) {
     const Box& b = seat.box;
-    double cost = 3 * seat.distance + seat.preference + 0.8 * ink.under(b) + (frame.holds(b) ? 0 : 1e4);
+    double cost = 3 * seat.distance + seat.preference + 1.2 * ink.under(b.grown(0.12 * font));
+    if (!room.holds(b)) cost += 1e4;
     const Pixel point = labels[self].point, end = nearest(b, point);
-    const Box wide{b.left - 0.2 * font, b.bottom, b.right + 0.2 * font, b.top};
+    const Box wide{b.left - 0.4 * font, b.bottom, b.right + 0.4 * font, b.top};
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (i == self) continue;
         const PointLabel& other = labels[i];
@@ -106,13 +111,16 @@ std::vector<PointLabel> place_labels(const Panel& panel, const Frame& frame, con
         choices.push_back(seats(label, font));
         label.box = choices.back().front().box;
     }
+    Box room = frame.data;
+    room.left += 0.3 * font;
+    if (frame.legend.place != Legend::Place::beside) room.right = frame.cell.right - 0.4 * font;
     constexpr int sweeps = 6;
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (std::size_t i = 0; i < labels.size(); ++i) {
             double least = 1e300;
             Seat best = choices[i].front();
             for (const Seat& seat : choices[i]) {
-                const double cost = cost_of(seat, i, labels, frame.data, ink, font);
+                const double cost = cost_of(seat, i, labels, room, ink, font);
                 if (cost < least) least = cost, best = seat;
             }
             labels[i].box = best.box;

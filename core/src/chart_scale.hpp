@@ -28,6 +28,9 @@ struct Tick {
 Scale x_scale(const Panel& panel);
 Scale y_scale(const Panel& panel);
 
+/// Width [px] of the widest label.
+double widest(const std::vector<Tick>& ticks, double font);
+
 /// Ticks of an axis `length` px long, far enough apart for labels side by side (`along`) or above each other.
 std::vector<Tick> ticks_of(const Scale& scale, double length, double font, bool along);
 

@@ -37,7 +37,7 @@ std::string line_of(const Curve& curve, Rank rank, double scale) {
     return out.str();
 }
 
-std::string marker_of(const Curve& curve, Rank rank, double scale, double size) {
+std::string marker_of(const Curve& curve, Rank rank, double size) {
     const bool hollow = rank.member % 2 == 1;
     int marker = hollow ? cycled(hollow_markers, rank.colour) : cycled(full_markers, rank.colour);
     if (curve.style == Style::steps) {
@@ -47,17 +47,19 @@ std::string marker_of(const Curve& curve, Rank rank, double scale, double size) 
         size *= 1.25;
     }
     std::ostringstream out;
-    out << " pt " << marker << " ps " << size * scale;
+    out << " pt " << marker << " ps " << size;
     return out.str();
 }
 
-Look look_of(const Curve& curve, Rank rank, double scale) {
-    const std::string line = line_of(curve, rank, scale), marker = marker_of(curve, rank, scale, marker_size(curve));
-    const std::string legend = line + marker_of(curve, rank, scale, 1.3);
+Look look_of(const Curve& curve, Rank rank, double line_scale, double marker_scale) {
+    const std::string line = line_of(curve, rank, line_scale);
+    const std::string marker = marker_of(curve, rank, marker_scale * marker_size(curve));
+    const std::string legend = line + marker_of(curve, rank, marker_scale * 1.3);
     switch (curve.style) {
         case Style::points: return {{"with points" + line + marker}, "with points" + legend, 1};
         case Style::line_points: return {{"with linespoints" + line + marker}, "with linespoints" + legend, 1};
-        case Style::steps: return {{"with steps" + line, "with points" + line + marker}, "with linespoints" + legend, 0};
+        case Style::steps:
+            return {{"with steps" + line, "with points" + line + marker}, "with linespoints" + legend, 0};
         case Style::dashed: return {{"with lines" + line}, "with lines" + line, 2};
         default: return {{"with lines" + line}, "with lines" + line, 1};
     }
@@ -65,7 +67,7 @@ Look look_of(const Curve& curve, Rank rank, double scale) {
 
 }    // namespace
 
-std::vector<Look> looks_of(const Panel& panel, double scale) {
+std::vector<Look> looks_of(const Panel& panel, double line_scale, double marker_scale) {
     std::vector<Look> looks;
     std::map<int, std::size_t> members;
     std::size_t position = 0;
@@ -74,7 +76,7 @@ std::vector<Look> looks_of(const Panel& panel, double scale) {
         const std::size_t colour = curve.family < 0 ? position : static_cast<std::size_t>(curve.family);
         if (!neutral) ++position;
         const int group = neutral ? -1 - static_cast<int>(curve.style) : static_cast<int>(colour % palette.size());
-        looks.push_back(look_of(curve, {colour, members[group]++}, scale));
+        looks.push_back(look_of(curve, {colour, members[group]++}, line_scale, marker_scale));
     }
     return looks;
 }

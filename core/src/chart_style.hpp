@@ -13,7 +13,7 @@ struct Look {
     int layer;    ///< steps lie below the data, comparisons above
 };
 
-/// Looks of a panel's curves; `scale` enlarges lines and markers with the picture.
-std::vector<Look> looks_of(const Panel& panel, double scale);
+/// Looks of a panel's curves with widths and sizes enlarged by these factors.
+std::vector<Look> looks_of(const Panel& panel, double line_scale, double marker_scale);
 
 }    // namespace sphonic::charting

@@ -23,9 +23,7 @@ std::string fixed(double value, int decimals) {
 
 /// Room [px] that the labels need from one tick to the next.
 double room(const std::vector<Tick>& ticks, double font, bool along) {
-    double widest = 0;
-    for (const Tick& tick : ticks) widest = std::max(widest, text_width(tick.text, font));
-    return along ? widest + 1.2 * font : 2.2 * font;
+    return along ? widest(ticks, font) + 1.6 * font : 2 * font;
 }
 
 std::vector<Tick> linear_ticks(const Scale& scale, double step) {
@@ -67,35 +65,54 @@ std::vector<Tick> decade_ticks(const Scale& scale, int first, int last, int stri
     return ticks;
 }
 
-/// For less than two decades: 1, 2 and 5 of each are labelled.
-std::vector<Tick> digit_ticks(const Scale& scale, int first, int last, bool sparse) {
+std::string digit_text(const Scale& scale, int digit, int exponent) {
+    if (scale.lower >= 9e-4 && scale.upper < 1e5)
+        return fixed(digit * std::pow(10.0, exponent), std::max(0, -exponent));
+    return (digit == 1 ? "" : std::to_string(digit) + "×") + power_of_ten(exponent);
+}
+
+/// Ticks at every digit, with text at those of `labelled`.
+std::vector<Tick> digit_ticks(const Scale& scale, std::string_view labelled) {
     std::vector<Tick> ticks;
-    for (int exponent = first - 1; exponent <= last; ++exponent)
+    const int first = static_cast<int>(std::floor(std::log10(scale.lower)));
+    for (int exponent = first; std::pow(10.0, exponent) <= scale.upper; ++exponent)
         for (int digit = 1; digit < 10; ++digit) {
             const double value = digit * std::pow(10.0, exponent);
-            const bool major = digit == 1 || digit == 2 || digit == 5;
-            if (!scale.contains(value) || (sparse && !major)) continue;
-            const std::string power = power_of_ten(exponent);
-            ticks.push_back({value, !major ? "" : digit == 1 ? power : std::to_string(digit) + "×" + power});
+            const bool major = labelled.find(static_cast<char>('0' + digit)) != std::string_view::npos;
+            if (scale.contains(value)) ticks.push_back({value, major ? digit_text(scale, digit, exponent) : ""});
         }
     return ticks;
 }
 
+/// Whether there are enough labels to read the scale, none of them too near to the next.
+bool legible(const Scale& scale, std::vector<Tick> ticks, double length, double needed) {
+    std::erase_if(ticks, [](const Tick& tick) { return tick.text.empty(); });
+    for (std::size_t i = 1; i < ticks.size(); ++i)
+        if ((scale.fraction(ticks[i].at) - scale.fraction(ticks[i - 1].at)) * length < needed) return false;
+    return ticks.size() >= 2;
+}
+
 std::vector<Tick> log_ticks(const Scale& scale, double length, double font, bool along) {
-    const double decades = std::log10(scale.upper / scale.lower), per_decade = length / decades;
+    const double decades = std::log10(scale.upper / scale.lower);
     const int first = static_cast<int>(std::ceil(std::log10(scale.lower) - 1e-9));
     const int last = static_cast<int>(std::floor(std::log10(scale.upper) + 1e-9));
-    if (last - first >= 1) {
-        const double needed = room({{1, power_of_ten(first)}, {1, power_of_ten(last)}}, font, along);
-        return decade_ticks(scale, first, last, std::max(1, static_cast<int>(std::ceil(needed / per_decade))));
-    }
-    std::vector<Tick> ticks = digit_ticks(scale, first, last, false);
-    const auto labelled = std::ranges::count_if(ticks, [](const Tick& t) { return !t.text.empty(); });
-    if (labelled >= 2 && room(ticks, font, along) <= 0.3 * per_decade) return ticks;
-    return linear_ticks(scale, length, font, along);
+    if (decades < 1.7)
+        for (const std::string_view labelled : {"123456789", "1235", "125", "13"}) {
+            const std::vector<Tick> ticks = digit_ticks(scale, labelled);
+            if (legible(scale, ticks, length, room(ticks, font, along))) return ticks;
+        }
+    if (last - first < 1) return linear_ticks(scale, length, font, along);
+    const double needed = room({{1, power_of_ten(first)}, {1, power_of_ten(last)}}, font, along);
+    return decade_ticks(scale, first, last, std::max(1, static_cast<int>(std::ceil(needed * decades / length))));
 }
 
 }    // namespace
+
+double widest(const std::vector<Tick>& ticks, double font) {
+    double width = 0;
+    for (const Tick& tick : ticks) width = std::max(width, text_width(tick.text, font));
+    return width;
+}
 
 std::vector<Tick> ticks_of(const Scale& scale, double length, double font, bool along) {
     return scale.log ? log_ticks(scale, length, font, along) : linear_ticks(scale, length, font, along);

@@ -3,11 +3,9 @@
 #include <sphonic/error.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace sphonic {
@@ -17,12 +15,8 @@ constexpr std::size_t max_depth = 64;
 
 std::string in_quotes(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-/// Where the text stops being JSON: the offset of the last byte looked at.
-struct Syntax {
-    std::size_t at;
-    std::string reason;
-    std::string remedy = {};
-};
+/// Why the text is no JSON; `at` is the offset of the last byte looked at.
+struct Syntax { std::size_t at; std::string reason, remedy = {}; };
 
 /// Builds the document from the parser's events; the open containers are a stack of its own, so depth costs no calls.
 class Builder : public nlohmann::json_sax<Json> {
@@ -31,7 +25,6 @@ public:
 
     Json root;
     std::optional<Syntax> syntax;
-
     bool null() override { return put(nullptr); }
     bool boolean(bool value) override { return put(value); }
     bool number_integer(number_integer_t value) override { return put(value); }
@@ -56,13 +49,12 @@ public:
         return true;
     }
 
-    bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
-        constexpr int number_overflow = 406;
-        if (error.id == number_overflow)
+    bool parse_error(std::size_t end, const std::string& token, const nlohmann::detail::exception& error) override {
+        if (error.id == 406)    // nlohmann's "number overflow"
             refuse("the number " + token + " is too large for a double", "Write a smaller number");
         const std::string message = error.what();
         const std::size_t from = message.find(" - ") + 3;
-        syntax = Syntax{position == 0 ? 0 : position - 1, message.substr(from, message.find("; last read: '") - from)};
+        syntax = Syntax{end == 0 ? 0 : end - 1, message.substr(from, message.find("; last read: '") - from)};
         return false;
     }
 
@@ -76,20 +68,19 @@ private:
         throw Error(Fault::input, file_ + ": " + (at.empty() ? "/" : at.to_string()), problem, remedy);
     }
 
-    Json* add(Json value) {
+    Json& slot() {
         if (open_.empty())
-            return &(root = std::move(value));
-        auto& [node, key] = open_.back();
-        return &((node->is_array() ? node->emplace_back() : (*node)[key]) = std::move(value));
+            return root;
+        const auto& [node, key] = open_.back();
+        return node->is_array() ? node->emplace_back() : (*node)[key];
     }
 
-    bool put(Json value) { return add(std::move(value)); }
+    bool put(Json value) { return slot() = std::move(value), true; }
 
     bool open(Json container) {
         if (open_.size() == max_depth)
             refuse("more than " + std::to_string(max_depth) + " values are nested", "Nest less deeply");
-        open_.push_back({add(std::move(container)), {}});
-        return true;
+        return open_.push_back({&(slot() = std::move(container)), {}}), true;
     }
 
     std::string file_;
@@ -108,37 +99,32 @@ std::optional<Syntax> parse(std::string_view text, Builder& builder) {
 }
 
 std::string remedy_for(const std::string& word, const std::string& reason, const std::string& head) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> known{{
-        {"NaN", "Write a finite number"}, {"Infinity", "Write a finite number"}, {"-Infinity", "Write a finite number"},
-        {"True", "Write true"}, {"False", "Write false"}, {"None", "Write null"},
-        {"/", "Remove the comment"}, {"'", "Write strings in double quotes"}}};
-    for (const auto& [name, remedy] : known)
-        if (word == name)
-            return std::string(remedy);
-    if (reason.ends_with("expected end of input"))
-        return "Remove what follows the first value";
-    const std::size_t last = head.find_last_not_of(" \t\r\n");
-    const bool comma = (word == "}" || word == "]") && last != head.npos && head[last] == ',';
-    return comma ? "Remove the comma before it" : "Correct the JSON there";
+    if (word == "NaN" || word.ends_with("Infinity")) return "Write a finite number";
+    if (reason.ends_with("expected end of input")) return "Remove what follows the first value";
+    const bool after_comma = head.substr(0, head.find_last_not_of(" \t\r\n") + 1).ends_with(',');
+    return after_comma && (word == "}" || word == "]") ? "Remove the comma before it" : "Correct the JSON there";
 }
 
 [[noreturn]] void refuse_syntax(std::string_view text, const std::string& file, Syntax syntax) {
     const auto in_word = [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; };
+    const bool literal = syntax.reason == "invalid literal" || syntax.reason.starts_with("invalid number");
     std::size_t from = std::min(syntax.at, text.size()), to = std::min(from + 1, text.size());
-    while (from > 0 && from < to && in_word(text[from]) && in_word(text[from - 1]))
+    const bool inside = from < to && in_word(text[from]);
+    while ((literal || inside) && from > 0 && in_word(text[from - 1]))
         --from;
-    while (to < text.size() && in_word(text[from]) && in_word(text[to]))
+    while (inside && to < text.size() && in_word(text[to]))
         ++to;
     const std::string word(text.substr(from, to - from)), head(text.substr(0, from));
-    if (!word.empty() && (syntax.reason == "invalid literal" || syntax.reason.starts_with("invalid number")))
+    if (literal && !word.empty())
         syntax.reason = (word[0] > ' ' && word[0] <= '~' ? in_quotes(word) : "this character") + " is not JSON";
     if (const std::size_t expected = syntax.reason.find("; expected"); expected != std::string::npos)
         syntax.reason[expected] = ',';
     if (syntax.remedy.empty())
         syntax.remedy = remedy_for(word, syntax.reason, head);
     const auto line = 1 + std::count(head.begin(), head.end(), '\n');
-    const std::size_t column = from - head.rfind('\n');    // npos is -1: the first line needs no case of its own
-    throw Error(Fault::input, file + ":" + std::to_string(line) + ":" + std::to_string(column), syntax.reason, syntax.remedy);
+    const auto column = from - head.rfind('\n');    // npos is -1: the first line needs no case of its own
+    const std::string place = file + ":" + std::to_string(line) + ":" + std::to_string(column);
+    throw Error(Fault::input, place, syntax.reason, syntax.remedy);
 }
 
 std::vector<std::string> tokens_of(const std::string& pointer, const std::string& place) {
@@ -146,9 +132,7 @@ std::vector<std::string> tokens_of(const std::string& pointer, const std::string
     try {
         for (Json::json_pointer left(pointer); !left.empty(); left.pop_back())
             tokens.insert(tokens.begin(), left.back());
-    } catch (const Json::parse_error&) {
-        tokens.clear();
-    }
+    } catch (const Json::parse_error&) { tokens.clear(); }
     if (tokens.empty() || tokens.size() > max_depth || std::count(tokens.begin(), tokens.end(), "") > 0)
         throw Error(Fault::input, place, in_quotes(pointer) + " does not point to a member",
                     "Write it as /object/key, at most " + std::to_string(max_depth) + " deep, ~0 for ~ and ~1 for /");
@@ -160,14 +144,13 @@ Json& member(Json& node, const std::string& token, const std::string& path, cons
     if (node.is_null() || node.is_object())
         return node[token];
     if (!node.is_array())
-        throw Error(Fault::input, place, path + " is a " + node.type_name() + " and has no member " + in_quotes(token),
-                    "Shorten the pointer");
+        throw Error(Fault::input, place, path + " is a " + node.type_name() + " and has no members", "Shorten it");
     for (std::size_t i = 0; i < node.size(); ++i)
         if (token == std::to_string(i))
             return node[i];
     const std::string size = std::to_string(node.size());
     if (token != "-" && token != size)
-        throw Error(Fault::input, place, in_quotes(token) + " is no index of " + path + ", which has " + size + " entries",
+        throw Error(Fault::input, place, in_quotes(token) + " is no index of " + path + " (" + size + " entries)",
                     "Write an index up to " + size + ", or - to append");
     return node.emplace_back();
 }
@@ -185,14 +168,11 @@ Json read_json(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw Error(Fault::input, file.string(), "there is no such file", "Check the path");
-    if (std::filesystem::is_directory(file, ignored))
-        throw Error(Fault::input, file.string(), "this is a folder", "Name a JSON file");
     std::ifstream stream(file, std::ios::binary);
     std::string text;
-    for (char byte; stream.get(byte);)
-        text += byte;
+    for (char byte; stream.get(byte);) text += byte;
     if (!stream.eof())
-        throw Error(Fault::io, file.string(), "the file cannot be read", "Check its permissions");
+        throw Error(Fault::io, file.string(), "this cannot be read", "Name a file with read permission");
     return parse_json(text, file.string());
 }
 
@@ -215,6 +195,6 @@ void set_at(Json& root, const std::string& pointer, const Json& value, const std
     *node = value;
 }
 
-std::string json_text(const Json& value) { return value.dump(2) + '\n'; }
+std::string json_text(const Json& value) { return value.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 }    // namespace sphonic

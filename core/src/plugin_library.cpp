@@ -1,12 +1,13 @@
 /// The one file that opens shared libraries.
 #define BOOST_DLL_USE_STD_FS
-#include <boost/dll/library_info.hpp>
-#include <boost/dll/shared_library.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <vector>
+
+#include <boost/dll/library_info.hpp>    // does not include <vector> itself
+#include <boost/dll/shared_library.hpp>
 
 #include <sphonic/error.hpp>
 #include <sphonic/registry.hpp>

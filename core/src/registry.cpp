@@ -52,7 +52,7 @@ std::vector<fs::path> Registry::search_path(const std::vector<fs::path>& extra) 
             if (!part.empty()) folders.emplace_back(part);
     }
     const fs::path here = program_folder();
-    for (const fs::path own : {here / "../plugins", here / "../lib/sphonic/plugins"})
+    for (const fs::path& own : {here / "../plugins", here / "../lib/sphonic/plugins"})
         if (fs::is_directory(own)) folders.push_back(fs::canonical(own));
     return folders;
 }

@@ -88,16 +88,26 @@ inline void from_value(const abi::Value& value, Vector& x) {
     x = {{value.vector[0], value.vector[1], value.vector[2]}, value.size};
 }
 
+/// Kept out of line: inlined, the compiler warns of the variant's alternatives that this T does not have.
+template <class T>
+[[gnu::noinline]] abi::Value read_member(const T& object, const Parameter<T>& row) {
+    return std::visit([&](auto member) { return to_value(object.*member); }, row.member);
+}
+template <class T>
+[[gnu::noinline]] void write_member(T& object, const Parameter<T>& row, const abi::Value& value) {
+    std::visit([&](auto member) { from_value(value, object.*member); }, row.member);
+}
+
 /// The table of T as plain data; built on first use, kept for the life of the library.
 template <class T>
 const std::vector<abi::ParameterInfo>& parameter_table() {
-    static const T initial{};
+    [[maybe_unused]] static const T initial{};
     static const std::vector<abi::ParameterInfo> table = [] {
         std::vector<abi::ParameterInfo> rows;
         if constexpr (HasParameters<T>)
             for (const auto& row : T::parameters())
-                rows.push_back({row.name, row.unit, row.lower, row.upper, row.doc, row.choices,
-                                std::visit([](auto m) { return to_value(initial.*m); }, row.member)});
+                rows.push_back(
+                    {row.name, row.unit, row.lower, row.upper, row.doc, row.choices, read_member<T>(initial, row)});
         return rows;
     }();
     return table;
@@ -107,8 +117,7 @@ template <class T>
 void set_parameters([[maybe_unused]] T& object, [[maybe_unused]] const abi::Value* values) {
     if constexpr (HasParameters<T>) {
         int i = 0;
-        for (const auto& row : T::parameters())
-            std::visit([&](auto m) { from_value(values[i++], object.*m); }, row.member);
+        for (const auto& row : T::parameters()) write_member<T>(object, row, values[i++]);
     }
 }
 

@@ -1,0 +1,2 @@
+#include "commands.hpp"
+namespace sphonic::driver { int check(const RunOptions&) { return 0; } }

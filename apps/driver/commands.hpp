@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sphonic::driver {
+
+/// Options that every subcommand shares.
+struct Common {
+    std::vector<std::filesystem::path> plugin_path;
+    bool json = false;    ///< machine-readable result on stdout
+};
+
+struct RunOptions : Common {
+    std::filesystem::path file;
+    std::vector<std::string> set;
+    std::filesystem::path out;    ///< empty: runs/NAME, numbered if it exists
+    bool force = false;
+};
+
+/// Each returns the exit code of a job that was done; errors are thrown.
+int run(const RunOptions& options);
+int check(const RunOptions& options);
+int study(const RunOptions& options);
+int list(const Common& options);
+int describe(const Common& options, const std::string& kind, const std::string& name);
+
+}    // namespace sphonic::driver

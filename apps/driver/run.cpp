@@ -1,0 +1,56 @@
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include <sphonic/chart.hpp>
+#include <sphonic/error.hpp>
+#include <sphonic/log.hpp>
+#include <sphonic/registry.hpp>
+#include <sphonic/result_folder.hpp>
+#include <sphonic/run_report.hpp>
+#include <sphonic/simulation.hpp>
+
+#include "commands.hpp"
+#include "progress.hpp"
+
+namespace sphonic::driver {
+namespace {
+
+void print_summary(const Summary& s, const std::filesystem::path& folder) {
+    std::printf("%s\n", s.title.c_str());
+    std::printf("  %ld particles, %s tier, %.1f neighbours, %s, %ld steps of %.4g s (%s %.4g s)\n", s.particles, s.tier.c_str(),
+                s.neighbours_mean, s.integrator.c_str(), s.steps, s.dt, s.weak ? "weakly unstable beyond" : "stable to", s.dt_limit);
+    if (s.errors)
+        std::printf("  error at t = %g s over %ld particles: L2 %.4g, rms %.4g P, eps %.4ge-4, largest %.4g Pa\n", s.t, s.errors->n,
+                    s.errors->l2, s.errors->rms, 1e4 * s.errors->eps, s.errors->max);
+    std::printf("  %.3g s of CPU, %.3g ns per particle-step\n", s.cpu_s,
+                s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0.0);
+    if (s.diverged) std::printf("  DIVERGED %s\n", s.diverged_how.c_str());
+    std::printf("  results in %s\n", folder.string().c_str());
+}
+
+}    // namespace
+
+int run(const RunOptions& options) {
+    Registry registry(Registry::search_path(options.plugin_path));
+    const Case scene = load_case(options.file, options.set, registry);
+    for (const std::string& warning : scene.warnings) log::warn(scene.file + ": " + warning);
+    ResultFolder folder(options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out, options.force);
+    Simulation simulation(scene);
+    {
+        ProgressBar bar(options.file.stem().string());
+        simulation.run([&](const Progress& p) { bar.show(p); });
+    }
+    write_results(scene, simulation, folder);
+    folder.commit();
+    const Summary& summary = simulation.summary();
+    if (options.json)
+        std::cout << json_text(to_json(summary));
+    else
+        print_summary(summary, folder.target());
+    if (!summary.diverged) return 0;
+    log::error(scene.file + ": the run diverged " + summary.diverged_how + "; the outputs until then are kept");
+    return int(Fault::diverged);
+}
+
+}    // namespace sphonic::driver

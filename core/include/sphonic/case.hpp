@@ -1,0 +1,86 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sphonic/equations.hpp>
+#include <sphonic/expression.hpp>
+#include <sphonic/json.hpp>
+#include <sphonic/plugin/abi/arrangement.hpp>
+#include <sphonic/plugin/abi/integrator.hpp>
+#include <sphonic/plugin/abi/method.hpp>
+#include <sphonic/plugin/abi/reference.hpp>
+#include <sphonic/plugin/abi/source.hpp>
+#include <sphonic/registry.hpp>
+
+namespace sphonic {
+
+enum class Motion { frozen, lagrangian };
+enum class Neighbours { automatic, lattice, moving };
+
+struct SourceUse {
+    std::unique_ptr<abi::Source> source;
+    Region region;
+    std::string place;    ///< of the region, for messages
+};
+
+/// The asked-for step: exactly one of the three.
+struct StepChoice {
+    std::optional<double> dt;         ///< [s]
+    std::optional<double> courant;    ///< c0 dt / courant_length
+    double courant_length = 0;        ///< [m]
+    double safety = 0.9;              ///< fraction of the computed limit, when neither is given
+    bool allow_unstable = false;
+};
+
+struct ReferenceUse {
+    std::unique_ptr<abi::Reference> reference;
+    std::optional<Region> region{};
+    std::optional<double> scale{};    ///< P [Pa]; by default the largest |p_exact| in the region
+};
+
+struct Output {
+    double every = 0;    ///< interval of probe samples [s]; 0: every step
+    std::vector<std::vector<double>> probes;
+};
+
+/// A whole case, checked. What its objects need of the JSON text is kept alive in `source_text`.
+struct Case {
+    std::string file, title;
+    abi::Medium medium;
+    abi::Box box;
+    std::unique_ptr<abi::Arrangement> arrangement;
+    Motion motion = Motion::frozen;
+    std::string velocity_name = "u";    ///< the variable that moves the particles
+    Neighbours neighbours = Neighbours::automatic;
+    std::vector<KernelUse> kernels;
+    Equations equations;
+    std::vector<SourceUse> sources;
+    std::unique_ptr<abi::Integrator> integrator;
+    std::string integrator_name;
+    StepChoice step;
+    double until = 0;    ///< [s]
+    std::optional<ReferenceUse> reference;
+    Output output;
+    std::unique_ptr<abi::Method> method;
+    std::string method_name;
+    std::vector<std::string> warnings;
+
+    Json resolved;      ///< the case with every default; runs again to the same bits
+    Json provenance;    ///< plugins in use: path and ABI; version and commit
+    std::shared_ptr<const Json> source_text;
+    std::vector<std::shared_ptr<const Json>> presets;
+
+    /// Largest interaction radius of the kernels [m].
+    double radius() const;
+};
+
+/// Reads and checks a case. `overrides` are "/pointer=value". Errors carry file, JSON pointer, value and remedy.
+Case load_case(const std::filesystem::path& file, const std::vector<std::string>& overrides, Registry& registry);
+/// The same from a parsed document; `file` names it in messages and anchors relative paths.
+Case load_case(Json root, const std::filesystem::path& file, Registry& registry);
+
+}    // namespace sphonic

@@ -1,0 +1,64 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sphonic/plugin/abi/form.hpp>
+#include <sphonic/plugin/abi/kernel.hpp>
+#include <sphonic/plugin/abi/state.hpp>
+#include <sphonic/plugin/abi/viscosity.hpp>
+
+namespace sphonic {
+
+/// A kernel in use: the plugin and its smoothing length [m].
+struct KernelUse {
+    std::string name;    ///< empty for the default kernel, else its key in "kernels"
+    std::unique_ptr<abi::Kernel> kernel;
+    double h = 0;
+
+    double radius() const { return kernel->support() * h; }
+};
+
+/// An integer power of a scalar variable.
+struct Factor {
+    int variable;
+    int power;
+};
+
+/// One rate term: coefficient * (product of factors) * operator.
+struct Term {
+    enum class Operator { divergence, gradient, viscosity } op;
+    int operand = -1;                            ///< variable the operator acts on (the velocity, for viscosity)
+    std::unique_ptr<abi::Form> form{};             ///< for divergence and gradient
+    std::unique_ptr<abi::Viscosity> viscosity{};
+    int kernel = 0;                              ///< index into the kernels of the case
+    double coefficient = 1;
+    std::vector<Factor> factors{};
+};
+
+/// A variable of the equations: evolved by a sum of terms, or algebraic in another variable.
+struct Variable {
+    std::string name;
+    bool is_vector = false;
+    std::vector<Term> terms{};
+    std::unique_ptr<abi::State> state{};    ///< algebraic when set
+    int of = -1;                          ///< its argument
+
+    bool evolved() const { return !state; }
+    int components(int dimension) const { return is_vector ? dimension : 1; }
+};
+
+/// The assembled equations of a case.
+struct Equations {
+    std::vector<Variable> variables;
+    /// Splitting groups as indices of evolved variables; `positions_group` is the one that also moves x, or -1.
+    std::vector<std::vector<int>> order;
+    int positions_group = -1;
+    int velocity = -1;    ///< the variable that moves x
+    int density = -1;     ///< the variable rho, if the equations have one: then V_j = m_j / rho_j on moving sets
+
+    /// -1 if there is none of that name.
+    int find(const std::string& name) const;
+};
+
+}    // namespace sphonic

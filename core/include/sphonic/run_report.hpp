@@ -1,0 +1,18 @@
+#pragma once
+#include <sphonic/chart.hpp>
+#include <sphonic/result_folder.hpp>
+#include <sphonic/simulation.hpp>
+
+namespace sphonic {
+
+/// resolved.json, summary.json, probes.csv, profile.csv and the charts of a finished run.
+void write_results(const Case& scene, Simulation& simulation, const ResultFolder& folder);
+
+/// Pressure along x beside the reference, with the two highest crests and troughs magnified below.
+/// In 2-D and 3-D: the row of particles through the middle of the box.
+Chart pressure_chart(const Case& scene, const Summary& summary, const Profile& profile);
+
+/// Pressure against time at each probe, beside the reference.
+Chart probe_chart(const Case& scene, const ProbeRecord& probes);
+
+}    // namespace sphonic

@@ -1,0 +1,95 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sphonic/case.hpp>
+
+namespace sphonic {
+
+/// Difference from the reference at the end of a run, over the n particles of its region.
+struct Errors {
+    double eps = 0;    ///< sqrt(sum e^2) / (n P): the formula of Li et al. (2015), which hides 1/sqrt(n)
+    double rms = 0;    ///< sqrt(sum e^2 / n) / P
+    double l2 = 0;     ///< sqrt(sum e^2 / sum p_exact^2)
+    double max = 0;    ///< [Pa]
+    long n = 0;
+    double scale = 0;  ///< P [Pa]
+};
+
+/// Pressure at the particles nearest to the asked-for points.
+struct ProbeRecord {
+    std::vector<std::vector<double>> asked, read_at;    ///< [probe][axis]
+    std::vector<double> t;
+    std::vector<std::vector<double>> p, exact;          ///< [probe][sample]; exact is empty without a reference
+};
+
+/// The set at the end of a run, in particle order.
+struct Profile {
+    std::vector<double> x[3], p, exact;    ///< exact is empty without a reference
+    std::vector<char> in_region;           ///< of the reference
+};
+
+/// What a run was and what it came to; `to_json` gives summary.json.
+struct Summary {
+    std::string title, tier, method, integrator;
+    long steps = 0;
+    double dt = 0, dt_limit = 0;
+    bool weak = false;    ///< the integrator has no limit of its own
+    long particles = 0;
+    double neighbours_mean = 0;
+    int threads = 1;
+    double wall_s = 0, cpu_s = 0;       ///< stepping only
+    double setup_s = 0;                 ///< CPU time before the first step
+    double particle_steps = 0;
+    double memory_bytes = 0;
+    std::optional<Errors> errors;
+    double energy_initial = 0, energy_final = 0;
+    bool diverged = false;
+    std::string diverged_how;           ///< when, where, how large
+    double t = 0;                       ///< reached [s]
+    std::vector<std::string> warnings;
+};
+
+Json to_json(const Summary& summary);
+
+struct Progress {
+    long step, steps;
+    double wall_s;
+};
+
+/// One case made ready to run. The step is fixed here: one beyond the stable limit is refused unless the case allows it.
+class Simulation {
+public:
+    /// The case must outlive the simulation.
+    explicit Simulation(const Case& scene);
+    ~Simulation();
+
+    const Summary& summary() const { return summary_; }
+    /// Runs to the end, or until it diverges (then the summary says so). `progress` is called some ten times a second.
+    void run(const std::function<void(const Progress&)>& progress = {});
+
+    const ProbeRecord& probes() const { return probes_; }
+    /// The present state beside the reference.
+    Profile profile();
+    abi::Solver& solver() { return *solver_; }
+
+private:
+    const Case& scene_;
+    std::unique_ptr<abi::Solver> solver_;
+    Summary summary_;
+    ProbeRecord probes_;
+    std::vector<long> probe_particles_;
+    std::vector<char> in_region_;    ///< by initial position
+
+    void fix_step();
+    void find_probes();
+    void sample();
+    bool healthy();
+    void advance_to(long step, const std::function<void(const Progress&)>& progress);
+    Errors measure();
+};
+
+}    // namespace sphonic

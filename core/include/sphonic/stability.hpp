@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include <sphonic/case.hpp>
+
+namespace sphonic {
+
+/// The equations of a case, linearised at rest on its infinite lattice, for one wave vector:
+/// z' = A z for z = (scalars, vectors / i), a real matrix, row-major, n x n.
+struct Symbol {
+    int n = 0;
+    std::vector<double> a;
+};
+
+/// `k` [rad/m] has `dimension` entries. Viscosity enters as always switched on, times `viscosity`.
+Symbol symbol(const Case& scene, const double* k, double viscosity = 1);
+
+/// Speed of a long wave along `direction` (unit vector), over c0: the limit of omega/(c0 k) for k -> 0, without viscosity.
+double long_wave_speed(const Case& scene, const double* direction);
+
+/// omega(k)/c0 [rad/m] of the discrete operator along `direction`: its largest frequency at that wave vector.
+double dispersion(const Case& scene, double k, const double* direction);
+
+/// Largest |eigenvalue| of the one-step map of the case's integrator over the sampled wave vectors.
+double amplification(const Case& scene, double dt);
+
+struct StepLimit {
+    double dt = 0;         ///< largest stable step [s]
+    bool weak = false;     ///< the integrator grows at any step: dt is where the worst mode grows by e^12 within `until`
+};
+
+/// The largest stable step of the case on its lattice, with viscosity always on.
+StepLimit step_limit(const Case& scene);
+
+}    // namespace sphonic

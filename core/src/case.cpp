@@ -1,0 +1,118 @@
+#include <sphonic/case.hpp>
+
+#include <algorithm>
+
+#include <sphonic/error.hpp>
+#include <sphonic/version.hpp>
+
+#include "case_reader.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sphonic {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double positive = std::numeric_limits<double>::min();
+
+void read_medium(Case& scene, Section& root) {
+    Section medium = root.child("medium", "Give { \"c0\": sound speed [m/s], \"rho0\": density [kg/m^3] }");
+    scene.medium.c0 = medium.real(real_row("c0", "m/s", positive, infinite, "sound speed"));
+    scene.medium.rho0 = medium.real(real_row("rho0", "kg/m^3", positive, infinite, "density at rest"));
+    medium.finish();
+    root.resolved["medium"] = medium.resolved;
+}
+
+void read_dimension(Case& scene, Section& root) {
+    const Json& d = root.need("dimension", "Give 1, 2 or 3");
+    if (!d.is_number_integer() || d.get<int>() < 1 || d.get<int>() > 3)
+        root.fail("dimension", shown(d) + " is not a dimension", "Give 1, 2 or 3");
+    scene.box.dimension = d.get<int>();
+    root.resolved["dimension"] = d;
+}
+
+void read_method(Case& scene, Section& root, Registry& registry) {
+    if (!root.has("method")) {
+        scene.method_name = "particles";
+        scene.method = default_plugin<abi::Method>(scene, registry, "particles", root.place("method"));
+        root.resolved["method"] = {{"type", "particles"}};
+        return;
+    }
+    Section section = root.child("method", "");
+    scene.method = read_plugin<abi::Method>(scene, section, registry);
+    scene.method_name = section.resolved["type"];
+    section.finish();
+    root.resolved["method"] = section.resolved;
+}
+
+/// A method without particles passes over what only particles need; it says so.
+void warn_unused(Case& scene, const Section& root) {
+    if (scene.method->meshfree()) return;
+    std::vector<std::string> unused;
+    for (const char* key : {"kernel", "kernels", "equations", "viscosity", "order"})
+        if (root.has(key)) unused.push_back(key);
+    unused.push_back("integrator type");
+    scene.warnings.push_back("method " + scene.method_name + " does not use " + join(unused));
+}
+
+void check_provenance(Case& scene, Section& root) {
+    const Json* carried = root.find("provenance");
+    if (!carried || !carried->is_object() || !carried->contains("abi")) return;
+    if ((*carried)["abi"] != abi_tag())
+        scene.warnings.push_back("this case was resolved with ABI " + shown((*carried)["abi"]) + ", this is " + abi_tag() +
+                                 ": results may differ in the last digits");
+}
+
+}    // namespace
+
+void note_provenance(Case& scene, const Plugin& plugin) {
+    scene.provenance["plugins"][plugin.kind + "." + plugin.name] = plugin.file.string();
+}
+
+double Case::radius() const {
+    double largest = 0;
+    for (const KernelUse& use : kernels) largest = std::max(largest, use.radius());
+    return largest;
+}
+
+Expression::Constants constants(const Case& scene) {
+    const auto& m = scene.medium;
+    Expression::Constants known{{{"c0", m.c0}, {"rho0", m.rho0}, {"K", m.rho0 * m.c0 * m.c0}, {"dx", scene.box.dx}}};
+    if (!scene.kernels.empty()) known.values.emplace_back("h", scene.kernels[0].h);
+    return known;
+}
+
+Case load_case(Json document, const fs::path& file, Registry& registry) {
+    Case scene;
+    scene.file = file.string();
+    auto kept = std::make_shared<const Json>(std::move(document));
+    scene.source_text = kept;
+    Section root(*kept, scene.file, "");
+    scene.title = root.text("title", file.stem().string());
+    read_dimension(scene, root);
+    read_medium(scene, root);
+    read_method(scene, root, registry);
+    read_space(scene, root, registry);
+    read_kernels(scene, root, registry);
+    read_equations(scene, root, registry);
+    read_sources(scene, root, registry);
+    read_time(scene, root, registry);
+    read_results(scene, root, registry);
+    check_provenance(scene, root);
+    root.finish();
+    warn_unused(scene, root);
+    scene.provenance["version"] = version();
+    scene.provenance["commit"] = commit();
+    scene.provenance["abi"] = abi_tag();
+    scene.resolved = root.resolved;
+    scene.resolved["provenance"] = scene.provenance;
+    return scene;
+}
+
+Case load_case(const fs::path& file, const std::vector<std::string>& overrides, Registry& registry) {
+    Json document = read_json(file);
+    for (const std::string& assignment : overrides) set_at(document, assignment);
+    return load_case(std::move(document), file, registry);
+}
+
+}    // namespace sphonic

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <sphonic/error.hpp>
+
+#include "case_reader.hpp"
+
+namespace sphonic {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double positive = std::numeric_limits<double>::min();
+
+KernelUse read_kernel_use(Case& scene, Section& section, Registry& registry, const std::string& name) {
+    KernelUse use{.name = name, .kernel = read_plugin<abi::Kernel>(scene, section, registry)};
+    if (!use.kernel->defined(scene.box.dimension))
+        section.fail("type", "this kernel is not defined in dimension " + std::to_string(scene.box.dimension), "Choose another kernel");
+    const auto h = section.optional_real(real_row("h", "m", positive, infinite, "smoothing length"));
+    const auto ratio = section.optional_real(real_row("h_over_dx", "1", positive, 1000, "smoothing length over spacing"));
+    if (h.has_value() == ratio.has_value())
+        section.fail("", h ? "h and h_over_dx are both given" : "the smoothing length is missing", "Give one of h [m] and h_over_dx");
+    use.h = h ? *h : *ratio * scene.box.dx;
+    section.finish();
+    if (use.radius() < scene.box.dx)
+        section.fail(h ? "h" : "h_over_dx", "the support of " + Json(use.radius()).dump() + " m reaches no neighbour", "Choose h so that support * h > dx");
+    return use;
+}
+
+/// Translates what a plugin says of its parameters into an error at the plugin's place.
+template <class Call>
+void prepared(const Section& section, Call call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& e) {
+        section.fail("", e.what());
+    }
+}
+
+double courant_length(Case& scene, Section& section) {
+    const std::string name = section.choice("courant_length", "dx", {"dx", "h"});
+    if (name == "dx") return scene.box.dx;
+    if (scene.kernels.empty()) section.fail("courant_length", "there is no kernel to take h from", "Use \"dx\"");
+    return scene.kernels[0].h;
+}
+
+}    // namespace
+
+void read_kernels(Case& scene, Section& root, Registry& registry) {
+    if (root.has("kernel")) {
+        Section section = root.child("kernel", "");
+        scene.kernels.push_back(read_kernel_use(scene, section, registry, ""));
+        root.resolved["kernel"] = section.resolved;
+    }
+    if (root.has("kernels")) {
+        Section section = root.child("kernels", "");
+        for (const auto& [name, value] : section.value().items()) {
+            Section inner = section.child(name, "");
+            scene.kernels.push_back(read_kernel_use(scene, inner, registry, name));
+            section.resolved[name] = inner.resolved;
+        }
+        root.resolved["kernels"] = section.resolved;
+    }
+    if (scene.kernels.empty() && scene.method->meshfree())
+        root.fail("kernel", "is missing", "Give { \"type\": " + join(registry.names("kernel")) + ", \"h_over_dx\": 1.3 }");
+}
+
+void read_sources(Case& scene, Section& root, Registry& registry) {
+    const Json* list = root.find("sources");
+    if (!list) return;
+    if (!list->is_array()) root.fail("sources", shown(*list) + " is not a list", "Write [ { \"type\": ... } ]");
+    Json resolved = Json::array();
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        Section section((*list)[i], root.file(), "/sources/" + std::to_string(i));
+        auto source = read_plugin<abi::Source>(scene, section, registry);
+        prepared(section, [&] { source->prepare(scene.box.dimension, scene.medium); });
+        section.need("region", "Say which particles it acts on, such as \"x < 0\"");
+        const std::string region = section.text("region", "");
+        scene.sources.push_back({std::move(source), Region(region, constants(scene), scene.box.dimension, section.place("region")),
+                                 section.place("region")});
+        section.finish();
+        resolved.push_back(section.resolved);
+    }
+    root.resolved["sources"] = resolved;
+}
+
+void read_time(Case& scene, Section& root, Registry& registry) {
+    Section section = root.child("integrator", "Give { \"type\": " + join(registry.names("integrator")) + " }");
+    scene.integrator = read_plugin<abi::Integrator>(scene, section, registry);
+    scene.integrator_name = section.resolved["type"];
+    StepChoice& step = scene.step;
+    step.dt = section.optional_real(real_row("dt", "s", positive, infinite, "time step"));
+    step.courant = section.optional_real(real_row("courant", "1", positive, infinite, "c0 dt / courant_length"));
+    step.courant_length = courant_length(scene, section);
+    if (step.dt && step.courant) section.fail("courant", "dt and courant are both given", "Give one of dt, courant and safety");
+    const bool chosen = step.dt || step.courant;
+    if (section.has("safety") && chosen) section.fail("safety", "the step is already given", "Give one of dt, courant and safety");
+    if (!chosen) step.safety = section.real(real_row("safety", "1", positive, 1, "fraction of the stable step", 0.9));
+    step.allow_unstable = section.choice("unstable", "refuse", {"refuse", "allow"}) == "allow";
+    section.finish();
+    root.resolved["integrator"] = section.resolved;
+    scene.until = root.real(real_row("until", "s", positive, infinite, "end of the run"));
+}
+
+void read_results(Case& scene, Section& root, Registry& registry) {
+    if (root.has("reference")) {
+        Section section = root.child("reference", "");
+        ReferenceUse use{.reference = read_plugin<abi::Reference>(scene, section, registry)};
+        std::vector<abi::PlaneWave> waves;
+        for (const SourceUse& source : scene.sources)
+            if (const abi::PlaneWave* wave = source.source->wave()) waves.push_back(*wave);
+        prepared(section, [&] { use.reference->prepare({scene.box.dimension, scene.medium, waves.data(), int(waves.size())}); });
+        if (section.has("region"))
+            use.region.emplace(section.text("region", ""), constants(scene), scene.box.dimension, section.place("region"));
+        use.scale = section.optional_real(real_row("scale", "Pa", positive, infinite, "pressure P that errors are divided by"));
+        section.finish();
+        scene.reference = std::move(use);
+        root.resolved["reference"] = section.resolved;
+    }
+    static const Json none = Json::object();
+    const Json* given = root.find("output");
+    Section section(given ? *given : none, root.file(), "/output");
+    scene.output.every = section.real(real_row("every", "s", 0, infinite, "interval of probe samples; 0 is every step"));
+    if (const Json* probes = section.find("probes")) {
+        if (!probes->is_array()) section.fail("probes", shown(*probes) + " is not a list", "Write [[x, y], ...]");
+        for (std::size_t i = 0; i < probes->size(); ++i) {
+            const Json wrapped{{"point", (*probes)[i]}};
+            Section point(wrapped, root.file(), "/output/probes/" + std::to_string(i));
+            scene.output.probes.push_back(point.point("point", scene.box.dimension));
+        }
+        section.resolved["probes"] = *probes;
+    }
+    section.finish();
+    root.resolved["output"] = section.resolved;
+}
+
+}    // namespace sphonic

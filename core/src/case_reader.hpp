@@ -1,0 +1,43 @@
+#pragma once
+/// The parts of reading a case; each takes its piece of the document and the case as read so far.
+
+#include <sphonic/case.hpp>
+
+#include "section.hpp"
+
+namespace sphonic {
+
+/// Records path, version and ABI of a plugin in use under /provenance.
+void note_provenance(Case& scene, const Plugin& plugin);
+
+/// The plugin named by `key` inside `section`, made with the parameters that stand in the same object.
+template <class Interface>
+std::unique_ptr<Interface> read_plugin(Case& scene, Section& section, Registry& registry, const std::string& key = "type") {
+    const std::string kind = Interface::kind;
+    const Json& name = section.need(key, "Name a " + kind + ": " + join(registry.names(kind)));
+    if (!name.is_string()) section.fail(key, shown(name) + " is not a string", "Name a " + kind);
+    const Plugin& plugin = registry.find(kind, section.text(key, ""), section.place(key));
+    note_provenance(scene, plugin);
+    return registry.create<Interface>(plugin, section.read(plugin.parameters));
+}
+
+/// A plugin with all its defaults.
+template <class Interface>
+std::unique_ptr<Interface> default_plugin(Case& scene, Registry& registry, const std::string& name, const std::string& place) {
+    const Plugin& plugin = registry.find(Interface::kind, name, place);
+    note_provenance(scene, plugin);
+    static const Json nothing = Json::object();
+    return registry.create<Interface>(plugin, Section(nothing, place, "").read(plugin.parameters));
+}
+
+/// c0, rho0, K, dx and, where there is a default kernel, h.
+Expression::Constants constants(const Case& scene);
+
+void read_space(Case& scene, Section& root, Registry& registry);        // particles, boundaries
+void read_kernels(Case& scene, Section& root, Registry& registry);      // kernel, kernels
+void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity
+void read_sources(Case& scene, Section& root, Registry& registry);      // sources
+void read_time(Case& scene, Section& root, Registry& registry);         // integrator, until
+void read_results(Case& scene, Section& root, Registry& registry);      // reference, output
+
+}    // namespace sphonic

@@ -1,0 +1,158 @@
+#include "lattice_operators.hpp"
+
+#include <algorithm>
+
+#include "stencil_rows.hpp"
+
+namespace sphonic {
+namespace {
+
+/// Particles near a free end of the set: there the own value's weights do not cancel.
+struct EndWeight {
+    std::ptrdiff_t at;
+    double weight[3];
+};
+
+/// Sum of the own value's weights where neighbours are missing (it is zero elsewhere, by antisymmetry).
+std::vector<EndWeight> end_weights(const LatticeGrid& grid, const std::vector<Offset>& neighbours, double factor) {
+    const Layout& l = grid.layout;
+    std::vector<EndWeight> ends;
+    const auto near_end = [&](int axis, long i) {
+        return axis < l.dimension && !grid.scene.box.periodic[axis] && (i < l.ghosts[axis] || i >= l.count[axis] - l.ghosts[axis]);
+    };
+    const auto add = [&](long i, long j, long k) {
+        EndWeight end{l.at(i, j, k), {0, 0, 0}};
+        const long site[3] = {i, j, k};
+        for (const Offset& n : neighbours) {
+            bool exists = true;
+            for (int a = 0; a < l.dimension; ++a) {
+                const auto [first, last] = grid.reachable(n, a);
+                exists = exists && site[a] >= first && site[a] < last;
+            }
+            for (int a = 0; exists && a < 3; ++a) end.weight[a] += factor * n.gradient[a];
+        }
+        ends.push_back(end);
+    };
+    for (long k = 0; k < l.count[2]; ++k)
+        for (long j = 0; j < l.count[1]; ++j) {
+            const bool whole_row = near_end(1, j) || near_end(2, k);
+            for (long i = 0; i < l.count[0]; ++i) {
+                if (!whole_row && !near_end(0, i)) {
+                    i = std::max(i, l.count[0] - l.ghosts[0] - 1);    // skip the interior
+                    continue;
+                }
+                add(i, j, k);
+            }
+        }
+    return ends;
+}
+
+/// Gradient or divergence: interior by folded stencil, free ends mended afterwards.
+class Derivative final : public LatticeOperator {
+public:
+    Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
+        : grid_(grid), term_(term), target_(std::move(target)) {
+        const auto& neighbours = grid.neighbours[std::size_t(term.kernel)];
+        const double volume = lattice_volume(grid.scene.box) * term.coefficient;
+        const RestCoefficients c = rest_coefficients(*term.form, grid.scene.medium.rho0);
+        for (const Offset& n : half_neighbours(neighbours)) {
+            FoldedPair pair{grid.stride(n), {}};
+            for (int a = 0; a < 3; ++a) pair.weight[a] = volume * c.other * n.gradient[a];
+            pairs_.push_back(pair);
+            for (int a = 0; a < 3; ++a)
+                if (pair.weight[a] != 0) taps_[a].push_back({pair.at, pair.weight[a]});
+        }
+        ends_ = end_weights(grid, neighbours, volume * c.own);
+        const int d = grid.scene.box.dimension;
+        const Variable& operand = grid.scene.equations.variables[std::size_t(term.operand)];
+        for (int a = 0; a < operand.components(d); ++a) operand_.push_back(components.first[std::size_t(term.operand)] + a);
+        for (const Factor& f : term.factors) factors_.push_back({components.first[std::size_t(f.variable)], f.power});
+    }
+
+    void apply(const Evaluation& e) override {
+        if (!factors_.empty()) return apply_with_factors(e);
+        double* out[3];
+        for (std::size_t a = 0; a < target_.size(); ++a) out[a] = e.out[target_[a]];
+        sweep(e, out, {e.scale, e.assign});
+        mend_ends(e, out, e.scale);
+    }
+
+private:
+    struct PowerOf {
+        int component;
+        int power;
+    };
+    const LatticeGrid& grid_;
+    const Term& term_;
+    std::vector<int> target_, operand_;
+    std::vector<FoldedPair> pairs_;
+    std::vector<FoldedTap> taps_[3];
+    std::vector<EndWeight> ends_;
+    std::vector<PowerOf> factors_;
+    Array scratch_[3];
+
+    template <int D>
+    void sweep_in(const Evaluation& e, double* const* out, const Finish& finish) const {
+        const double* f[3] = {};
+        for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
+        constexpr int wide = D == 3 ? 3 : 4;
+        const bool gradient = term_.op == Term::Operator::gradient;
+        const long n = grid_.layout.count[0];
+        grid_.layout.for_rows([&](long offset, long) {
+            if (gradient)
+                sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, pairs_.data(), pairs_.size(), sum); });
+            else
+                sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, Lane(&sum)[1][V]) { divergence_block<D, V>(f, i, taps_, sum); });
+        });
+    }
+
+    void sweep(const Evaluation& e, double* const* out, const Finish& finish) const {
+        switch (grid_.scene.box.dimension) {
+            case 1: return sweep_in<1>(e, out, finish);
+            case 2: return sweep_in<2>(e, out, finish);
+            default: return sweep_in<3>(e, out, finish);
+        }
+    }
+
+    void mend_ends(const Evaluation& e, double* const* out, double scale) const {
+        for (const EndWeight& end : ends_)
+            for (int a = 0; a < grid_.scene.box.dimension; ++a) {
+                const bool gradient = term_.op == Term::Operator::gradient;
+                out[gradient ? a : 0][end.at] += scale * end.weight[a] * e.state[operand_[gradient ? 0 : std::size_t(a)]][end.at];
+            }
+    }
+
+    /// The derivative into scratch, then multiplied by powers of variables.
+    void apply_with_factors(const Evaluation& e) {
+        const Layout& l = grid_.layout;
+        double* out[3];
+        for (std::size_t a = 0; a < target_.size(); ++a) {
+            if (!scratch_[a].data()) scratch_[a] = Array(std::size_t(l.size));
+            out[a] = scratch_[a].data();
+        }
+        sweep(e, out, {1, true});
+        mend_ends(e, out, 1);
+        for (std::size_t a = 0; a < target_.size(); ++a)
+            l.for_rows([&](long offset, long) { multiply_row(e, out[a] + offset, e.out[target_[a]] + offset, offset); });
+    }
+
+    void multiply_row(const Evaluation& e, double* __restrict value, double* __restrict target, long offset) const {
+        const long n = grid_.layout.count[0];
+        for (const PowerOf& factor : factors_) {
+            const double* __restrict f = e.state[factor.component] + offset;
+            for (int p = 0; p < std::abs(factor.power); ++p)
+                for (long i = 0; i < n; ++i) value[i] = factor.power > 0 ? value[i] * f[i] : value[i] / f[i];
+        }
+        for (long i = 0; i < n; ++i) target[i] = e.assign ? e.scale * value[i] : target[i] + e.scale * value[i];
+    }
+};
+
+}    // namespace
+
+std::unique_ptr<LatticeOperator> make_lattice_operator(const LatticeGrid& grid, const Components& components,
+                                                       const Term& term, const std::vector<int>& target) {
+    if (term.op == Term::Operator::viscosity) return make_lattice_viscosity(grid, components, term, target);
+    return std::make_unique<Derivative>(grid, components, term, target);
+}
+
+}    // namespace sphonic

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include <sphonic/error.hpp>
+
+#include "lattice_operators.hpp"
+#include "tier.hpp"
+
+namespace sphonic {
+namespace {
+
+class LatticeProgram final : public Program {
+public:
+    LatticeProgram(const LatticeGrid& grid, const Components& components, const std::vector<int>& variables)
+        : grid_(grid) {
+        for (const int v : variables) {
+            const Variable& variable = grid.scene.equations.variables[std::size_t(v)];
+            std::vector<int> target;
+            for (int c = 0; c < variable.components(grid.scene.box.dimension); ++c)
+                target.push_back(components.first[std::size_t(v)] + c);
+            if (variable.terms.empty()) still_.insert(still_.end(), target.begin(), target.end());
+            for (std::size_t t = 0; t < variable.terms.size(); ++t)
+                operators_.push_back({make_lattice_operator(grid, components, variable.terms[t], target), t == 0});
+        }
+    }
+
+    void evaluate(const Evaluation& e) override {
+        if (e.assign)
+            for (const int c : still_) std::fill_n(e.out[c], grid_.layout.size, 0.0);
+        for (const auto& [op, first] : operators_) {
+            Evaluation share = e;
+            share.assign = e.assign && first;
+            op->apply(share);
+        }
+    }
+
+private:
+    struct Entry {
+        std::unique_ptr<LatticeOperator> op;
+        bool first;    ///< of its variable: assigns where the others add
+    };
+    const LatticeGrid& grid_;
+    std::vector<Entry> operators_;
+    std::vector<int> still_;
+};
+
+class LatticeTier final : public Tier {
+public:
+    LatticeTier(const Case& scene, const Components& components)
+        : components_(components), grid_{scene, Layout::grid(scene.box, reach(scene))} {
+        for (const KernelUse& use : scene.kernels) grid_.neighbours.push_back(lattice_neighbours(scene.box, use));
+    }
+
+    const char* name() const override { return "lattice"; }
+    const Layout& layout() const override { return grid_.layout; }
+    std::unique_ptr<Program> compile(const std::vector<int>& variables) override {
+        return std::make_unique<LatticeProgram>(grid_, components_, variables);
+    }
+    void moved(const double* const*) override {}
+    double bytes() const override { return 0; }
+
+    /// Without the ends of a bounded set, where particles have fewer.
+    double neighbours_mean() const override {
+        std::size_t most = 0;
+        for (const auto& n : grid_.neighbours) most = std::max(most, n.size());
+        return double(most);
+    }
+
+    /// Periodic axes in turn, so that edges and corners are right; other ghosts stay zero.
+    void fill_ghosts(double* field) const override {
+        for (int a = 0; a < grid_.layout.dimension; ++a)
+            if (grid_.scene.box.periodic[a]) wrap(field, a);
+    }
+
+private:
+    const Components& components_;
+    LatticeGrid grid_;
+
+    static long reach(const Case& scene) { return long(std::floor(scene.radius() / scene.box.dx)); }
+
+    void wrap(double* field, int axis) const {
+        const Layout& l = grid_.layout;
+        const long n = l.count[axis], g = l.ghosts[axis], step = l.stride[axis];
+        const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
+        for (long k = -l.ghosts[c]; k < l.count[c] + l.ghosts[c]; ++k)
+            for (long j = -l.ghosts[b]; j < l.count[b] + l.ghosts[b]; ++j) {
+                double* line = field + l.origin + j * l.stride[b] + k * l.stride[c];
+                for (long i = 1; i <= g; ++i) {
+                    line[-i * step] = line[(n - 1 - (i - 1) % n) * step];
+                    line[(n - 1 + i) * step] = line[(i - 1) % n * step];
+                }
+            }
+    }
+};
+
+}    // namespace
+
+std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components) {
+    return std::make_unique<LatticeTier>(scene, components);
+}
+
+}    // namespace sphonic

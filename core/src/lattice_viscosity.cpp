@@ -1,0 +1,137 @@
+#include <algorithm>
+
+#include <sphonic/error.hpp>
+
+#include "lattice_operators.hpp"
+
+namespace sphonic {
+namespace {
+
+/// du_i/dt = -sum_j m_j Pi_ij grad_i W_ij on a lattice: each offset's geometry is prepared once, then the plugin's
+/// functor runs over blocks of a row. Pairs along a row are folded: Pi_ij serves i and, shifted, j.
+class LatticeViscosity final : public LatticeOperator {
+public:
+    LatticeViscosity(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
+        : grid_(grid), viscosity_(*term.viscosity), target_(std::move(target)) {
+        const Case& scene = grid.scene;
+        const KernelUse& kernel = scene.kernels[std::size_t(term.kernel)];
+        const double mass = scene.medium.rho0 * lattice_volume(scene.box);
+        if (grid.layout.ghosts[0] > most_reach)
+            throw Error(Fault::input, scene.file + ": /kernel", "the support reaches over " + std::to_string(grid.layout.ghosts[0]) +
+                        " spacings, viscosity is made for " + std::to_string(most_reach), "Choose a smaller h");
+        const auto add = [&](const Offset& n, bool folded) {
+            Pair pair{.offset = n, .at = grid.stride(n), .folded = folded};
+            for (int a = 0; a < 3; ++a) {
+                pair.r[a] = -n.o[a] * scene.box.dx;
+                pair.weight[a] = -mass * n.gradient[a];
+            }
+            pair.prepared.resize(std::size_t(viscosity_.prepared_size()));
+            viscosity_.prepare({.n = 1, .r2 = &n.r2, .h = kernel.h, .c = scene.medium.c0, .rho = scene.medium.rho0},
+                               pair.prepared.data());
+            pairs_.push_back(std::move(pair));
+        };
+        for (const Offset& n : grid.neighbours[std::size_t(term.kernel)]) {
+            const bool along_row = n.o[1] == 0 && n.o[2] == 0;
+            if (along_row && n.o[0] < 0) continue;
+            add(n, along_row);
+        }
+        for (int a = 0; a < scene.box.dimension; ++a) u_.push_back(components.first[std::size_t(term.operand)] + a);
+    }
+
+    void apply(const Evaluation& e) override {
+        const Layout& l = grid_.layout;
+        long row = 0;
+        l.for_rows([&](long offset, long) {
+            const long j = row % l.count[1], k = row / l.count[1];
+            ++row;
+            for (long begin = 0; begin < l.count[0]; begin += block)
+                apply_block(e, offset, j, k, begin, std::min(begin + block, l.count[0]));
+        });
+    }
+
+private:
+    static constexpr long block = 512, most_reach = 128;
+    struct Pair {
+        Offset offset;
+        std::ptrdiff_t at;
+        bool folded;
+        double r[3] = {}, weight[3] = {};
+        std::vector<double> prepared{};
+    };
+    const LatticeGrid& grid_;
+    const abi::Viscosity& viscosity_;
+    std::vector<int> target_, u_;
+    std::vector<Pair> pairs_;
+
+    void apply_block(const Evaluation& e, long row, long j, long k, long begin, long end) {
+        const int d = grid_.scene.box.dimension;
+        double sum[3][block];
+        for (int a = 0; a < d; ++a) std::fill_n(sum[a], end - begin, 0.0);
+        for (const Pair& pair : pairs_) {
+            const auto [j0, j1] = grid_.reachable(pair.offset, 1);
+            const auto [k0, k1] = grid_.reachable(pair.offset, 2);
+            if (j < j0 || j >= j1 || k < k0 || k >= k1) continue;
+            if (pair.folded)
+                add_folded(e, row, pair, begin, end, sum);
+            else
+                add_plain(e, row, pair, begin, end, sum);
+        }
+        for (int a = 0; a < d; ++a) {
+            double* out = e.out[target_[std::size_t(a)]] + row + begin;
+            for (long i = 0; i < end - begin; ++i) out[i] = e.assign ? e.scale * sum[a][i] : out[i] + e.scale * sum[a][i];
+        }
+    }
+
+    /// Pi of the pairs (i, i + offset), i = first ... last - 1 in the row.
+    void pair_values(const Evaluation& e, long row, const Pair& pair, long first, long last, double* Pi) const {
+        double u_dot_r[block + most_reach];
+        const long n = last - first;
+        for (int a = 0; a < grid_.scene.box.dimension; ++a) {
+            const double* __restrict u = e.state[u_[std::size_t(a)]] + row + first;
+            const double* __restrict neighbour = u + pair.at;
+            const double r = pair.r[a];
+            if (a == 0)
+                for (long i = 0; i < n; ++i) u_dot_r[i] = (u[i] - neighbour[i]) * r;
+            else
+                for (long i = 0; i < n; ++i) u_dot_r[i] += (u[i] - neighbour[i]) * r;
+        }
+        viscosity_.apply(int(n), pair.prepared.data(), u_dot_r, Pi);
+    }
+
+    void add_plain(const Evaluation& e, long row, const Pair& pair, long begin, long end, double (*sum)[block]) const {
+        const auto [i0, i1] = grid_.reachable(pair.offset, 0);
+        const long first = std::max(begin, i0), last = std::min(end, i1);
+        if (first >= last) return;
+        double Pi[block];
+        pair_values(e, row, pair, first, last, Pi);
+        for (int a = 0; a < grid_.scene.box.dimension; ++a) {
+            if (pair.weight[a] == 0) continue;
+            double* __restrict s = sum[a] + (first - begin);
+            for (long i = 0; i < last - first; ++i) s[i] += pair.weight[a] * Pi[i];
+        }
+    }
+
+    /// Pi(i, i+o) with +weight for i, and Pi(i-o, i) with -weight: one evaluation over [begin - o, end).
+    void add_folded(const Evaluation& e, long row, const Pair& pair, long begin, long end, double (*sum)[block]) const {
+        const auto [i0, i1] = grid_.reachable(pair.offset, 0);
+        const long o = pair.offset.o[0];
+        const bool periodic = grid_.scene.box.periodic[0];
+        const long first = periodic ? begin - o : std::max(begin - o, i0), last = std::min(end, i1);
+        if (first >= last) return;
+        double Pi[block + most_reach];
+        pair_values(e, row, pair, first, last, Pi);
+        const double weight = pair.weight[0];
+        double* __restrict s = sum[0];
+        for (long i = std::max(begin, first); i < last; ++i) s[i - begin] += weight * Pi[i - first];
+        for (long i = std::max(begin, first + o); i < std::min(end, last + o); ++i) s[i - begin] -= weight * Pi[i - o - first];
+    }
+};
+
+}    // namespace
+
+std::unique_ptr<LatticeOperator> make_lattice_viscosity(const LatticeGrid& grid, const Components& components,
+                                                        const Term& term, const std::vector<int>& target) {
+    return std::make_unique<LatticeViscosity>(grid, components, term, target);
+}
+
+}    // namespace sphonic

@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <sphonic/stability.hpp>
+
+namespace sphonic {
+
+/// One wave vector's linear equations z' = A z as an integrator sees them. Columns are independent initial states, so one
+/// step over the identity gives the one-step map of any integrator, its histories included.
+class ModeSystem final : public abi::System {
+public:
+    ModeSystem(const Case& scene, const Symbol& symbol);
+
+    /// The matrix that takes (state, histories that persist) over a step `dt`, past the first step.
+    Eigen::MatrixXd one_step_map(const abi::Integrator& integrator, double dt);
+
+    int groups() const override { return int(order_.size()); }
+    abi::Slot history(const char* name) override;
+    void rate(abi::Group group, double t, abi::Slot out) override;
+    void advance(abi::Group group, double t, double dt) override;
+    void copy(abi::Group group, abi::Slot from, abi::Slot to) override;
+    void axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) override;
+    void settle(abi::Group, double) override {}
+
+private:
+    Eigen::MatrixXd A_;
+    std::vector<std::vector<int>> order_;    ///< rows of each splitting group
+    std::vector<int> all_, none_;
+    std::vector<std::string> names_{"state"};
+    std::vector<Eigen::MatrixXd> slots_;
+
+    const std::vector<int>& rows(abi::Group group) const;
+};
+
+}    // namespace sphonic

@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <cmath>
+
+#include <sphonic/error.hpp>
+
+#include "neighbour_list.hpp"
+#include "pair_tile.hpp"
+#include "stencil.hpp"
+#include "tier.hpp"
+
+namespace sphonic {
+namespace {
+
+constexpr long pairs_per_tile = 768;    // some ten arrays of this length stay in the first-level cache
+constexpr double skin_over_dx = 0.25;
+
+/// What the programs of one moving set share.
+struct MovingSet {
+    const Case& scene;
+    const Components& components;
+    Layout layout;
+    NeighbourList list;
+    const double* x[3] = {};    ///< by axis
+    double mass = 0;        ///< [kg], the same for all
+    double volume = 0;      ///< [m^d], where the equations have no density
+};
+
+/// Cuts the particles into tiles of about `pairs_per_tile` pairs; the cut depends on the scene only.
+template <class Visit>
+void for_tiles(const MovingSet& set, Visit visit) {
+    const auto& start = set.list.start();
+    PairTile tile;
+    const long n = set.layout.particles();
+    for (tile.begin = 0; tile.begin < n; tile.begin = tile.end) {
+        tile.first.assign(1, 0);
+        const std::int64_t base = start[std::size_t(tile.begin)];
+        tile.end = tile.begin;
+        while (tile.end < n && (tile.end == tile.begin || start[std::size_t(tile.end) + 1] - base <= pairs_per_tile))
+            tile.first.push_back(int(start[std::size_t(++tile.end)] - base));
+        tile.n = tile.first.back();
+        tile.j = set.list.neighbour().data() + base;
+        visit(tile);
+    }
+}
+
+/// Per-pair values of a tile; each is packed at most once, when first asked for.
+class PairValues {
+public:
+    explicit PairValues(const MovingSet& set) : set_(set) {
+        const std::size_t kernels = set.scene.kernels.size();
+        slope_.resize(kernels);
+        weight_.resize(kernels);
+        own_.resize(std::size_t(set.components.count));
+        other_.resize(std::size_t(set.components.count));
+        packed_.resize(std::size_t(set.components.count));
+    }
+
+    void start(const PairTile& tile, const Evaluation& e) {
+        tile_ = &tile;
+        state_ = e.state;
+        std::fill(packed_.begin(), packed_.end(), 0);
+        const int d = set_.scene.box.dimension, n = tile.n;
+        double* r2 = room(r2_);
+        for (int a = 0; a < d; ++a) {
+            double* ra = room(r_[a]);
+            pack_difference(tile, set_.x[a], ra);
+            if (const double period = set_.list.period(a); period > 0)
+                for (int k = 0; k < n; ++k) ra[k] -= period * std::nearbyint(ra[k] / period);
+            for (int k = 0; k < n; ++k) r2[k] = a == 0 ? ra[k] * ra[k] : r2[k] + ra[k] * ra[k];
+        }
+        double* distance = room(distance_);
+        for (int k = 0; k < n; ++k) distance[k] = std::sqrt(r2[k]);
+        for (std::size_t i = 0; i < set_.scene.kernels.size(); ++i) {
+            const KernelUse& use = set_.scene.kernels[i];
+            use.kernel->evaluate(d, n, distance, use.h, nullptr, room(slope_[i]));
+            weigh(room(weight_[i]), slope_[i].data());
+        }
+    }
+
+    int n() const { return tile_->n; }
+    const double* r(int axis) const { return r_[axis].data(); }
+    const double* r2() const { return r2_.data(); }
+    /// (dW/dr)/r, and the same times V_j.
+    const double* slope(int kernel) const { return slope_[std::size_t(kernel)].data(); }
+    const double* weight(int kernel) const { return weight_[std::size_t(kernel)].data(); }
+    const double* own(int component) { return pack_once(component), own_[std::size_t(component)].data(); }
+    const double* other(int component) { return pack_once(component), other_[std::size_t(component)].data(); }
+    /// A scratch array of the tile's length.
+    double* room(Array& array) const {
+        if (long(array.size()) < tile_->n) array = Array(std::size_t(std::max<long>(tile_->n, pairs_per_tile)));
+        return array.data();
+    }
+
+private:
+    const MovingSet& set_;
+    const double* const* state_ = nullptr;
+    const PairTile* tile_ = nullptr;
+    Array r_[3], r2_, distance_;
+    std::vector<Array> slope_, weight_, own_, other_;
+    std::vector<char> packed_;
+
+    void pack_once(int component) {
+        if (packed_[std::size_t(component)]++) return;
+        pack(*tile_, state_[component], room(own_[std::size_t(component)]), room(other_[std::size_t(component)]));
+    }
+
+    void weigh(double* __restrict weight, const double* __restrict slope) {
+        const int rho = set_.scene.equations.density;
+        if (rho < 0) {
+            for (int k = 0; k < n(); ++k) weight[k] = set_.volume * slope[k];
+            return;
+        }
+        const double* __restrict rho_j = other(set_.components.first[std::size_t(rho)]);
+        const double mass = set_.mass;
+        for (int k = 0; k < n(); ++k) weight[k] = mass / rho_j[k] * slope[k];
+    }
+};
+
+class MovingProgram final : public Program {
+public:
+    MovingProgram(MovingSet& set, const std::vector<int>& variables) : set_(set), variables_(variables), pairs_(set) {}
+
+    void evaluate(const Evaluation& e) override {
+        for_tiles(set_, [&](const PairTile& tile) {
+            pairs_.start(tile, e);
+            for (const int v : variables_) evaluate_variable(v, tile, pairs_, e);
+        });
+    }
+
+private:
+    MovingSet& set_;
+    std::vector<int> variables_;
+    PairValues pairs_;
+    Array sum_, density_, own_, other_, u_dot_r_, Pi_, factor_;
+
+    const Variable& variable(int v) const { return set_.scene.equations.variables[std::size_t(v)]; }
+    int component(int v) const { return set_.components.first[std::size_t(v)]; }
+
+    /// All terms of a variable as one scalar per pair, which a vector multiplies by r_ij.
+    void evaluate_variable(int v, const PairTile& tile, PairValues& pairs, const Evaluation& e) {
+        double* sum = pairs.room(sum_);
+        std::fill_n(sum, tile.n, 0.0);
+        for (const Term& term : variable(v).terms) {
+            if (term.op == Term::Operator::viscosity)
+                add_viscosity(term, pairs, sum);
+            else
+                add_derivative(term, pairs, sum);
+        }
+        if (!variable(v).is_vector) return row_sums(tile, sum, e.scale, e.assign, e.out[component(v)]);
+        for (int a = 0; a < set_.scene.box.dimension; ++a)
+            row_sums(tile, sum, pairs.r(a), e.scale, e.assign, e.out[component(v) + a]);
+    }
+
+    void add_derivative(const Term& term, PairValues& pairs, double* sum) {
+        const auto [own, other] = coefficients(term, pairs);
+        double* __restrict value = pairs.room(factor_);
+        const double* __restrict weight = pairs.weight(term.kernel);
+        const int n = pairs.n();
+        if (term.op == Term::Operator::gradient) {
+            combine(n, own, other, pairs.own(component(term.operand)), pairs.other(component(term.operand)), value);
+            for (int k = 0; k < n; ++k) value[k] *= weight[k];
+        } else {
+            double* __restrict part = pairs.room(Pi_);
+            std::fill_n(value, n, 0.0);
+            for (int a = 0; a < set_.scene.box.dimension; ++a) {
+                const int c = component(term.operand) + a;
+                combine(n, own, other, pairs.own(c), pairs.other(c), part);
+                const double* __restrict r = pairs.r(a);
+                for (int k = 0; k < n; ++k) value[k] += part[k] * r[k] * weight[k];
+            }
+        }
+        for (const Factor& factor : term.factors) multiply(value, n, pairs.own(component(factor.variable)), factor.power);
+        for (int k = 0; k < n; ++k) sum[k] += term.coefficient * value[k];
+    }
+
+    /// Per-pair coefficients; a stride of 0 in `Coefficient` stands for a uniform one.
+    struct Coefficient {
+        const double* value;
+        int stride;
+    };
+
+    std::pair<Coefficient, Coefficient> coefficients(const Term& term, PairValues& pairs) {
+        double *own = pairs.room(own_), *other = pairs.room(other_);
+        const int rho = set_.scene.equations.density;
+        if (term.form->uniform() || rho < 0) {
+            const RestCoefficients c = rest_coefficients(*term.form, set_.scene.medium.rho0);
+            own[0] = c.own, other[0] = c.other;
+            return {{own, 0}, {other, 0}};
+        }
+        term.form->coefficients({.n = pairs.n(), .rho_i = pairs.own(component(rho)), .rho_j = pairs.other(component(rho))}, own, other);
+        return {{own, 1}, {other, 1}};
+    }
+
+    static void combine(int n, Coefficient own, Coefficient other, const double* __restrict fi, const double* __restrict fj,
+                        double* __restrict value) {
+        if (own.stride == 0) {
+            const double a = own.value[0], b = other.value[0];
+            for (int k = 0; k < n; ++k) value[k] = a * fi[k] + b * fj[k];
+        } else {
+            const double *__restrict a = own.value, *__restrict b = other.value;
+            for (int k = 0; k < n; ++k) value[k] = a[k] * fi[k] + b[k] * fj[k];
+        }
+    }
+
+    static void multiply(double* __restrict value, int n, const double* __restrict f, int power) {
+        for (int p = 0; p < std::abs(power); ++p)
+            for (int k = 0; k < n; ++k) value[k] = power > 0 ? value[k] * f[k] : value[k] / f[k];
+    }
+
+    void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum) {
+        const int n = pairs.n(), rho = set_.scene.equations.density;
+        double* __restrict u_dot_r = pairs.room(u_dot_r_);
+        std::fill_n(u_dot_r, n, 0.0);
+        for (int a = 0; a < set_.scene.box.dimension; ++a) {
+            const int c = component(term.operand) + a;
+            const double *__restrict ui = pairs.own(c), *__restrict uj = pairs.other(c), *__restrict r = pairs.r(a);
+            for (int k = 0; k < n; ++k) u_dot_r[k] += (ui[k] - uj[k]) * r[k];
+        }
+        abi::PairBlock block{.n = n, .u_dot_r = u_dot_r, .r2 = pairs.r2()};
+        block.h = set_.scene.kernels[std::size_t(term.kernel)].h;
+        block.c = set_.scene.medium.c0;
+        block.rho = set_.scene.medium.rho0;
+        if (rho >= 0) {
+            double* __restrict mean = pairs.room(density_);
+            const double *__restrict ri = pairs.own(component(rho)), *__restrict rj = pairs.other(component(rho));
+            for (int k = 0; k < n; ++k) mean[k] = 0.5 * (ri[k] + rj[k]);
+            block.rho_each = mean;
+        }
+        double* __restrict Pi = pairs.room(Pi_);
+        term.viscosity->pairs(block, Pi);
+        const double* __restrict slope = pairs.slope(term.kernel);
+        const double mass = set_.mass;
+        for (int k = 0; k < n; ++k) sum[k] -= mass * slope[k] * Pi[k];
+    }
+};
+
+class MovingTier final : public Tier {
+public:
+    MovingTier(const Case& scene, const Components& components, const double* const* x)
+        : set_{.scene = scene,
+               .components = components,
+               .layout = Layout::flat(scene.arrangement->size(scene.box)),
+               .list = NeighbourList(scene.box, scene.arrangement->size(scene.box), scene.radius(), skin_over_dx * scene.box.dx)} {
+        set_.volume = lattice_volume(scene.box);
+        set_.mass = scene.medium.rho0 * set_.volume;
+        check_box();
+        std::copy_n(x, scene.box.dimension, set_.x);
+        set_.list.update(x);
+        neighbours_mean_ = set_.list.mean_within_radius(x);
+    }
+
+    const char* name() const override { return "moving"; }
+    const Layout& layout() const override { return set_.layout; }
+    std::unique_ptr<Program> compile(const std::vector<int>& variables) override {
+        return std::make_unique<MovingProgram>(set_, variables);
+    }
+    void fill_ghosts(double*) const override {}
+    void moved(const double* const* x) override {
+        std::copy_n(x, set_.scene.box.dimension, set_.x);
+        set_.list.update(x);
+    }
+    double neighbours_mean() const override { return neighbours_mean_; }
+    double bytes() const override { return set_.list.bytes(); }
+
+private:
+    MovingSet set_;
+    double neighbours_mean_ = 0;
+
+    void check_box() const {
+        const abi::Box& box = set_.scene.box;
+        const double radius = set_.scene.radius() + skin_over_dx * box.dx;
+        for (int a = 0; a < box.dimension; ++a)
+            if (box.periodic[a] && box.upper[a] - box.lower[a] < 2 * radius)
+                throw Error(Fault::input, set_.scene.file + ": /particles/upper",
+                            "the periodic axis " + std::string(1, "xyz"[a]) + " is shorter than two interaction radii of " +
+                                std::to_string(radius) + " m",
+                            "Lengthen the box or choose a smaller h");
+    }
+};
+
+}    // namespace
+
+std::unique_ptr<Tier> make_moving_tier(const Case& scene, const Components& components, const double* const* x) {
+    return std::make_unique<MovingTier>(scene, components, x);
+}
+
+}    // namespace sphonic

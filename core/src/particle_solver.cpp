@@ -1,0 +1,93 @@
+#include "particle_solver.hpp"
+
+#include <cmath>
+
+#include "particle_system.hpp"
+#include "stencil.hpp"
+#include <sphonic/stability.hpp>
+
+namespace sphonic {
+namespace {
+
+class ParticleSolver final : public abi::Solver {
+public:
+    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), dt_limit_(step_limit(scene).dt) {}
+
+    double dt_limit() const override { return dt_limit_; }
+    void start(double dt) override {
+        dt_ = dt;
+        system_.initialise();
+    }
+    void step() override {
+        scene_.integrator->step(system_, {index_, time(), dt_});
+        ++index_;
+    }
+    double time() const override { return double(index_) * dt_; }
+    const char* tier() const override { return system_.tier().name(); }
+    double neighbours_mean() const override { return system_.tier().neighbours_mean(); }
+    double memory_bytes() const override { return system_.bytes(); }
+
+    abi::Snapshot snapshot() override {
+        const long n = system_.particles();
+        abi::Snapshot shot;
+        shot.points = {.dimension = scene_.box.dimension, .n = int(n)};
+        const auto x = system_.positions();
+        for (int a = 0; a < scene_.box.dimension; ++a) {
+            shot.points.x[a] = x[std::size_t(a)];
+            shot.u[a] = packed("u", a, u_[a]);
+        }
+        shot.p = packed("p", 0, p_);
+        return shot;
+    }
+
+    /// 1/2 sum V [p^2/K + rho0 u.u'], where u' is u of the neighbouring half step that the scheme's invariant asks for.
+    double energy() override {
+        const abi::Snapshot shot = snapshot();
+        const int u = scene_.equations.find("u");
+        abi::Stagger stagger = scene_.integrator->stagger();
+        if (u < 0 || !scene_.equations.variables[std::size_t(u)].evolved()) stagger = abi::Stagger::none;
+        const abi::Slot rates = stagger == abi::Stagger::none ? abi::state : system_.history("energy");
+        if (rates != abi::state) system_.rate_of(u, time(), rates);
+        const auto& m = scene_.medium;
+        double sum = 0;
+        for (long i = 0; shot.p && i < shot.points.n; ++i) sum += shot.p[i] * shot.p[i] / (m.rho0 * m.c0 * m.c0);
+        for (int a = 0; a < scene_.box.dimension; ++a)
+            if (shot.u[a]) sum += m.rho0 * kinetic(shot, a, stagger, rates);
+        return 0.5 * lattice_volume(scene_.box) * sum;
+    }
+
+private:
+    const Case& scene_;
+    ParticleSystem system_;
+    double dt_limit_, dt_ = 0;
+    long index_ = 0;
+    std::vector<double> p_, u_[3], rate_;
+
+    const double* packed(const char* name, int axis, std::vector<double>& room) {
+        const int v = scene_.equations.find(name);
+        if (v < 0) return nullptr;
+        room.resize(std::size_t(system_.particles()));
+        gather(system_.layout(), system_.field(system_.components().first[std::size_t(v)] + axis), room.data());
+        return room.data();
+    }
+
+    /// Sum of u_a u'_a: behind, u is at t - dt/2 and u' = u + dt a; centred, u u' = u^2 - (dt a / 2)^2.
+    double kinetic(const abi::Snapshot& shot, int axis, abi::Stagger stagger, abi::Slot rates) {
+        rate_.assign(std::size_t(shot.points.n), 0.0);
+        const int component = system_.components().first[std::size_t(scene_.equations.find("u"))] + axis;
+        if (rates != abi::state) gather(system_.layout(), system_.field(component, rates), rate_.data());
+        const double* u = shot.u[axis];
+        double sum = 0;
+        for (long i = 0; i < shot.points.n; ++i) {
+            const double kick = dt_ * rate_[std::size_t(i)];
+            sum += stagger == abi::Stagger::behind ? u[i] * (u[i] + kick) : u[i] * u[i] - 0.25 * kick * kick;
+        }
+        return sum;
+    }
+};
+
+}    // namespace
+
+std::unique_ptr<abi::Solver> make_particle_solver(const Case& scene) { return std::make_unique<ParticleSolver>(scene); }
+
+}    // namespace sphonic

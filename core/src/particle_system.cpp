@@ -1,0 +1,252 @@
+#include "particle_system.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include <sphonic/error.hpp>
+
+namespace sphonic {
+
+Components::Components(const Equations& equations, int dimension, bool moving) {
+    for (const Variable& v : equations.variables) {
+        first.push_back(count);
+        count += v.components(dimension);
+    }
+    if (moving) {
+        positions = count;
+        count += dimension;
+    }
+}
+
+namespace {
+
+std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const double* const* x) {
+    const bool lattice = scene.motion == Motion::frozen && scene.arrangement->regular() && scene.neighbours != Neighbours::moving;
+    return lattice ? make_lattice_tier(scene, components) : make_moving_tier(scene, components, x);
+}
+
+}    // namespace
+
+ParticleSystem::ParticleSystem(const Case& scene)
+    : scene_(scene), components_(scene.equations, scene.box.dimension, scene.motion == Motion::lagrangian),
+      store_(0, 0) {
+    place_particles();
+    const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
+    tier_ = choose_tier(scene, components_, x);
+    store_ = Store(layout().size, components_.count);
+    for (int c = 0; c < components_.count; ++c) state_arrays_.push_back(store_.array(abi::state, c));
+    out_arrays_.resize(std::size_t(components_.count));
+    make_parts();
+    enlist_sources();
+}
+
+void ParticleSystem::place_particles() {
+    double* x[3] = {};
+    for (int a = 0; a < scene_.box.dimension; ++a) {
+        x_[a].resize(std::size_t(scene_.arrangement->size(scene_.box)));
+        x[a] = x_[a].data();
+    }
+    scene_.arrangement->place(scene_.box, x);
+}
+
+ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool positions) {
+    Part part{.variables = std::move(variables), .positions = positions && moving()};
+    for (const int v : part.variables)
+        for (int c = 0; c < scene_.equations.variables[std::size_t(v)].components(scene_.box.dimension); ++c)
+            part.components.push_back(components_.first[std::size_t(v)] + c);
+    if (!part.variables.empty()) part.program = tier_->compile(part.variables);
+    part.reads_itself = reads(part);
+    return part;
+}
+
+bool ParticleSystem::reads(const Part& part) const {
+    const auto& variables = scene_.equations.variables;
+    const auto within = [&](int v) {
+        for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of) {}
+        return std::find(part.variables.begin(), part.variables.end(), v) != part.variables.end();
+    };
+    for (const int v : part.variables)
+        for (const Term& term : variables[std::size_t(v)].terms) {
+            if (within(term.operand)) return true;
+            for (const Factor& f : term.factors)
+                if (within(f.variable)) return true;
+        }
+    return part.positions && within(scene_.equations.velocity);
+}
+
+void ParticleSystem::make_parts() {
+    std::vector<int> all;
+    for (std::size_t g = 0; g < scene_.equations.order.size(); ++g) {
+        const auto& group = scene_.equations.order[g];
+        parts_.push_back(make_part(group, int(g) == scene_.equations.positions_group));
+        all.insert(all.end(), group.begin(), group.end());
+    }
+    std::sort(all.begin(), all.end());
+    parts_.push_back(make_part(all, true));
+    parts_.push_back(make_part(all, false));
+    parts_.push_back(make_part({}, true));
+}
+
+ParticleSystem::Part& ParticleSystem::part(abi::Group group) {
+    const int split = groups();
+    return parts_[std::size_t(group >= 0 ? group : split - 1 - group)];    // -1, -2, -3 follow the splitting groups
+}
+
+void ParticleSystem::enlist_sources() {
+    const auto index = field_indices(layout());
+    for (const SourceUse& use : scene_.sources) {
+        Members members{.source = use.source.get(), .at = {}, .x = {}, .p = {}, .u = {}};
+        std::vector<double> point(3);
+        for (std::size_t i = 0; i < index.size(); ++i) {
+            for (int a = 0; a < scene_.box.dimension; ++a) point[std::size_t(a)] = x_[a][i];
+            if (!use.region.contains(point.data())) continue;
+            members.at.push_back(index[i]);
+            for (int a = 0; a < scene_.box.dimension; ++a) members.x[a].push_back(x_[a][i]);
+        }
+        if (members.at.empty())
+            throw Error(Fault::input, use.place, "no particle lies in \"" + use.region.text() + "\"", "Choose a region inside the box");
+        members.p.resize(members.at.size());
+        for (int a = 0; a < scene_.box.dimension; ++a) members.u[a].resize(members.at.size());
+        members_.push_back(std::move(members));
+    }
+}
+
+void ParticleSystem::evaluate(Part& part, abi::Slot out, double scale, bool assign) {
+    for (const int c : part.components) out_arrays_[std::size_t(c)] = store_.array(out, c);
+    if (part.program) part.program->evaluate({state_arrays_.data(), out_arrays_.data(), scale, assign});
+    if (!part.positions) return;
+    const int u = components_.first[std::size_t(scene_.equations.velocity)];
+    for (int a = 0; a < scene_.box.dimension; ++a) {
+        const double* __restrict velocity = state_arrays_[std::size_t(u + a)];
+        double* __restrict target = store_.array(out, components_.positions + a);
+        for (long i = 0; i < layout().size; ++i) target[i] = (assign ? 0 : target[i]) + scale * velocity[i];
+    }
+}
+
+void ParticleSystem::rate(abi::Group group, double, abi::Slot out) { evaluate(part(group), out, 1, true); }
+
+void ParticleSystem::rate_of(int variable, double, abi::Slot out) {
+    Part single = make_part({variable}, false);
+    evaluate(single, out, 1, true);
+}
+
+void ParticleSystem::advance(abi::Group group, double t, double dt) {
+    Part& p = part(group);
+    if (!p.reads_itself) return evaluate(p, abi::state, dt, false);
+    const abi::Slot scratch = store_.history("rate");
+    rate(group, t, scratch);
+    axpy(group, dt, scratch, abi::state);
+}
+
+void ParticleSystem::copy(abi::Group group, abi::Slot from, abi::Slot to) {
+    const Part& p = part(group);
+    const auto one = [&](int c) { std::copy_n(store_.array(from, c), layout().size, store_.array(to, c)); };
+    for (const int c : p.components) one(c);
+    for (int a = 0; p.positions && a < scene_.box.dimension; ++a) one(components_.positions + a);
+}
+
+void ParticleSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) {
+    const Part& p = part(group);
+    const auto one = [&](int c) {
+        const double* __restrict from = store_.array(x, c);
+        double* __restrict to = store_.array(y, c);
+        for (long i = 0; i < layout().size; ++i) to[i] += a * from[i];
+    };
+    for (const int c : p.components) one(c);
+    for (int axis = 0; p.positions && axis < scene_.box.dimension; ++axis) one(components_.positions + axis);
+}
+
+void ParticleSystem::settle(abi::Group group, double t) {
+    const Part& changed = part(group);
+    const auto& e = scene_.equations;
+    if (changed.positions) {
+        const double* x[3] = {};
+        for (int a = 0; a < scene_.box.dimension; ++a) x[a] = field(components_.positions + a);
+        tier_->moved(x);
+    }
+    const auto in_group = [&](int v) {
+        return v >= 0 && std::find(changed.variables.begin(), changed.variables.end(), v) != changed.variables.end();
+    };
+    int p = e.find("p");
+    while (p >= 0 && !e.variables[std::size_t(p)].evolved()) p = e.variables[std::size_t(p)].of;
+    for (Members& members : members_) {
+        const abi::Imposed imposed = members.source->imposed();
+        impose(members, t, imposed.pressure_each_step && in_group(p), imposed.velocity_each_step && in_group(e.find("u")));
+    }
+    refresh_algebraic(changed);
+    for (const int c : changed.components) tier_->fill_ghosts(store_.array(abi::state, c));
+}
+
+void ParticleSystem::refresh_algebraic(const Part& changed) {
+    const auto& variables = scene_.equations.variables;
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+        if (variables[v].evolved()) continue;
+        int base = variables[v].of;
+        while (!variables[std::size_t(base)].evolved()) base = variables[std::size_t(base)].of;
+        if (std::find(changed.variables.begin(), changed.variables.end(), base) == changed.variables.end()) continue;
+        double* y = store_.array(abi::state, components_.first[v]);
+        const double* x = field(components_.first[std::size_t(variables[v].of)]);
+        layout().for_rows([&](long offset, long) {
+            variables[v].state->evaluate(scene_.medium, int(layout().count[0]), x + offset, y + offset);
+        });
+        tier_->fill_ghosts(y);
+    }
+}
+
+void ParticleSystem::impose(Members& members, double t, bool pressure, bool velocity) {
+    if (!pressure && !velocity) return;
+    abi::Points points{.dimension = scene_.box.dimension, .n = int(members.at.size())};
+    abi::AcousticField out;
+    for (int a = 0; a < scene_.box.dimension; ++a) {
+        if (moving()) {
+            const double* x = field(components_.positions + a);
+            for (std::size_t i = 0; i < members.at.size(); ++i) members.x[a][i] = x[members.at[i]];
+        }
+        points.x[a] = members.x[a].data();
+        out.u[a] = velocity ? members.u[a].data() : nullptr;
+    }
+    out.p = pressure ? members.p.data() : nullptr;
+    members.source->evaluate(t, points, out);
+    if (pressure) set_pressure(members);
+    const int u = scene_.equations.find("u");
+    for (int a = 0; velocity && a < scene_.box.dimension; ++a) {
+        double* field_a = store_.array(abi::state, components_.first[std::size_t(u)] + a);
+        for (std::size_t i = 0; i < members.at.size(); ++i) field_a[members.at[i]] = members.u[a][i];
+    }
+}
+
+/// Sets p, or, where p is algebraic, the evolved variable that it is computed from.
+void ParticleSystem::set_pressure(Members& members) {
+    const auto& variables = scene_.equations.variables;
+    std::vector<double>& value = members.p;
+    int v = scene_.equations.find("p");
+    for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of)
+        variables[std::size_t(v)].state->invert(scene_.medium, int(value.size()), value.data(), value.data());
+    double* target = store_.array(abi::state, components_.first[std::size_t(v)]);
+    for (std::size_t i = 0; i < members.at.size(); ++i) target[members.at[i]] = value[i];
+}
+
+void ParticleSystem::initialise() {
+    if (moving())
+        for (int a = 0; a < scene_.box.dimension; ++a)
+            scatter(layout(), x_[a].data(), store_.array(abi::state, components_.positions + a));
+    for (Members& members : members_)
+        impose(members, 0, false, members.source->imposed().velocity_at_start);
+    settle(abi::everything, 0);
+}
+
+std::array<const double*, 3> ParticleSystem::positions() {
+    std::array<const double*, 3> x{};
+    for (int a = 0; a < scene_.box.dimension; ++a)
+        x[std::size_t(a)] = moving() ? field(components_.positions + a) : x_[a].data();
+    return x;
+}
+
+double ParticleSystem::bytes() const {
+    double total = store_.bytes() + tier_->bytes();
+    for (const auto& x : x_) total += 8.0 * double(x.size());
+    return total;
+}
+
+}    // namespace sphonic

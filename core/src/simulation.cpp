@@ -1,0 +1,218 @@
+#include <sphonic/simulation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <sphonic/error.hpp>
+#include <sphonic/stability.hpp>
+#include <sphonic/version.hpp>
+
+#include "machine.hpp"
+#include "scene.hpp"
+
+namespace sphonic {
+namespace {
+
+std::string shown(double x) {
+    std::ostringstream text;
+    text.precision(4);
+    text << x;
+    return text.str();
+}
+
+/// The reference at the points of a snapshot; empty without one.
+std::vector<double> exact_pressure(const Case& scene, double t, const abi::Points& points) {
+    if (!scene.reference) return {};
+    std::vector<double> p(std::size_t(points.n));
+    scene.reference->reference->evaluate(t, points, {.p = p.data()});
+    return p;
+}
+
+}    // namespace
+
+Simulation::Simulation(const Case& scene) : scene_(scene) {
+    const double begin = thread_cpu_seconds();
+    solver_ = scene.method->discretise(SceneView(scene).scene);
+    summary_.title = scene.title;
+    summary_.method = scene.method_name;
+    summary_.integrator = scene.integrator_name;
+    summary_.warnings = scene.warnings;
+    fix_step();
+    solver_->start(summary_.dt);
+    summary_.tier = solver_->tier();
+    summary_.neighbours_mean = solver_->neighbours_mean();
+    summary_.setup_s = thread_cpu_seconds() - begin;
+    find_probes();
+    summary_.energy_initial = summary_.energy_final = solver_->energy();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::fix_step() {
+    const StepChoice& choice = scene_.step;
+    summary_.dt_limit = solver_->dt_limit();
+    double dt = choice.safety * summary_.dt_limit;
+    std::string key = "safety";
+    if (choice.dt) dt = *choice.dt, key = "dt";
+    if (choice.courant) dt = *choice.courant * choice.courant_length / scene_.medium.c0, key = "courant";
+    const std::string place = scene_.file + ": /integrator/" + key;
+    if (!std::isfinite(dt)) throw Error(Fault::input, place, "no stable limit is known for this set", "Give dt or courant");
+    const double steps = std::max(1.0, std::ceil(scene_.until / dt - 1e-9));
+    if (steps > 1e15) throw Error(Fault::input, place, "the run would take " + shown(steps) + " steps", "Choose a larger step or a shorter run");
+    summary_.steps = long(steps);
+    summary_.dt = scene_.until / steps;
+    if (summary_.dt <= summary_.dt_limit * (1 + 1e-9)) return;
+    const double courant = scene_.medium.c0 / scene_.box.dx;
+    const std::string problem = "the step " + shown(summary_.dt) + " s (c0 dt/dx = " + shown(summary_.dt * courant) +
+                                ") is beyond the stable limit " + shown(summary_.dt_limit) +
+                                " s (c0 dt/dx = " + shown(summary_.dt_limit * courant) + ")";
+    if (!choice.allow_unstable)
+        throw Error(Fault::input, place, problem, "Choose a smaller step, or set \"unstable\": \"allow\" to study the failure");
+    summary_.warnings.push_back(problem);
+}
+
+void Simulation::find_probes() {
+    const abi::Snapshot shot = solver_->snapshot();
+    const int d = scene_.box.dimension;
+    summary_.particles = shot.points.n;
+    double x[3] = {0, 0, 0};
+    in_region_.assign(std::size_t(shot.points.n), 1);
+    for (int i = 0; scene_.reference && scene_.reference->region && i < shot.points.n; ++i) {
+        for (int a = 0; a < d; ++a) x[a] = shot.points.x[a][i];
+        in_region_[std::size_t(i)] = scene_.reference->region->contains(x);
+    }
+    if (std::count(in_region_.begin(), in_region_.end(), 1) == 0)
+        throw Error(Fault::input, scene_.file + ": /reference/region", "no particle lies in \"" + scene_.reference->region->text() + "\"",
+                    "Choose a region inside the box");
+    for (const auto& probe : scene_.output.probes) {
+        long nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < shot.points.n; ++i) {
+            double r2 = 0;
+            for (int a = 0; a < d; ++a) r2 += std::pow(shot.points.x[a][i] - probe[std::size_t(a)], 2);
+            if (r2 < least) least = r2, nearest = i;
+        }
+        probe_particles_.push_back(nearest);
+        probes_.asked.push_back(probe);
+        probes_.read_at.emplace_back();
+        for (int a = 0; a < d; ++a) probes_.read_at.back().push_back(shot.points.x[a][nearest]);
+    }
+    probes_.p.resize(probe_particles_.size());
+    probes_.exact.resize(probe_particles_.size());
+}
+
+void Simulation::sample() {
+    if (probe_particles_.empty()) return;
+    const abi::Snapshot shot = solver_->snapshot();
+    probes_.t.push_back(solver_->time());
+    for (std::size_t k = 0; k < probe_particles_.size(); ++k) {
+        const long i = probe_particles_[k];
+        probes_.p[k].push_back(shot.p[i]);
+        abi::Points point{.dimension = scene_.box.dimension, .n = 1};
+        for (int a = 0; a < scene_.box.dimension; ++a) point.x[a] = shot.points.x[a] + i;
+        for (const double p : exact_pressure(scene_, solver_->time(), point)) probes_.exact[k].push_back(p);
+    }
+}
+
+/// Finite, and no larger than any sound that the sources could have made.
+bool Simulation::healthy() {
+    double loudest = 0;
+    for (const SourceUse& use : scene_.sources)
+        if (const abi::PlaneWave* wave = use.source->wave()) loudest += std::abs(wave->amplitude);
+    const double ceiling = loudest > 0 ? 1e3 * loudest : std::numeric_limits<double>::infinity();
+    const abi::Snapshot shot = solver_->snapshot();
+    for (int i = 0; i < shot.points.n; ++i) {
+        if (std::abs(shot.p[i]) <= ceiling && std::isfinite(shot.p[i])) continue;
+        summary_.diverged = true;
+        summary_.diverged_how = "at t = " + shown(solver_->time()) + " s the pressure of particle " + std::to_string(i) + " at x = " +
+                                shown(shot.points.x[0][i]) + " m is " + shown(shot.p[i]) + " Pa; the sources make " + shown(loudest) + " Pa";
+        return false;
+    }
+    return true;
+}
+
+void Simulation::advance_to(long target, const std::function<void(const Progress&)>& progress) {
+    constexpr double slice_s = 0.1;
+    long done = std::lround(solver_->time() / summary_.dt), slice = 1;
+    while (done < target && !summary_.diverged) {
+        const long count = std::min(slice, target - done);
+        const double cpu = thread_cpu_seconds(), wall = wall_seconds();
+        for (long s = 0; s < count; ++s) solver_->step();
+        const double spent = wall_seconds() - wall;
+        summary_.cpu_s += thread_cpu_seconds() - cpu;
+        summary_.wall_s += spent;
+        done += count;
+        if (spent < slice_s) slice *= 2;
+        if (spent > 2 * slice_s) slice = std::max(1L, slice / 2);
+        if (progress) progress({done, summary_.steps, summary_.wall_s});
+        healthy();
+    }
+}
+
+void Simulation::run(const std::function<void(const Progress&)>& progress) {
+    const double every = scene_.output.every;
+    const bool sampling = !probe_particles_.empty();
+    sample();
+    for (long done = 0, sample_index = 1; done < summary_.steps && !summary_.diverged;) {
+        long target = summary_.steps;
+        if (sampling) target = every > 0 ? long(std::ceil(double(sample_index++) * every / summary_.dt - 1e-9)) : done + 1;
+        target = std::clamp(target, done + 1, summary_.steps);
+        advance_to(target, progress);
+        done = target;
+        sample();
+    }
+    summary_.t = solver_->time();
+    summary_.particle_steps = double(summary_.particles) * std::round(summary_.t / summary_.dt);
+    summary_.memory_bytes = solver_->memory_bytes();
+    summary_.energy_final = solver_->energy();
+    if (scene_.reference && !summary_.diverged) summary_.errors = measure();
+}
+
+Profile Simulation::profile() {
+    const abi::Snapshot shot = solver_->snapshot();
+    Profile out;
+    for (int a = 0; a < scene_.box.dimension; ++a) out.x[a].assign(shot.points.x[a], shot.points.x[a] + shot.points.n);
+    out.p.assign(shot.p, shot.p + shot.points.n);
+    out.exact = exact_pressure(scene_, solver_->time(), shot.points);
+    out.in_region = in_region_;
+    return out;
+}
+
+Errors Simulation::measure() {
+    const Profile now = profile();
+    Errors e;
+    double squares = 0, exact_squares = 0, loudest = 0;
+    for (std::size_t i = 0; i < now.p.size(); ++i) {
+        if (!now.in_region[i]) continue;
+        const double difference = now.p[i] - now.exact[i];
+        squares += difference * difference;
+        exact_squares += now.exact[i] * now.exact[i];
+        loudest = std::max(loudest, std::abs(now.exact[i]));
+        e.max = std::max(e.max, std::abs(difference));
+        ++e.n;
+    }
+    e.scale = scene_.reference->scale.value_or(loudest);
+    e.eps = std::sqrt(squares) / (double(e.n) * e.scale);
+    e.rms = std::sqrt(squares / double(e.n)) / e.scale;
+    e.l2 = std::sqrt(squares / exact_squares);
+    return e;
+}
+
+Json to_json(const Summary& s) {
+    Json errors = nullptr;
+    if (s.errors)
+        errors = {{"eps", s.errors->eps}, {"rms", s.errors->rms}, {"l2", s.errors->l2}, {"max", s.errors->max},
+                  {"n", s.errors->n}, {"scale", s.errors->scale}};
+    const double per_step = s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0;
+    return {{"title", s.title}, {"method", s.method}, {"integrator", s.integrator}, {"steps", s.steps}, {"dt", s.dt},
+            {"dt_limit", s.dt_limit}, {"particles", s.particles}, {"neighbours_mean", s.neighbours_mean}, {"tier", s.tier},
+            {"threads", s.threads}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"setup_s", s.setup_s},
+            {"ns_per_particle_step", per_step}, {"particle_steps", s.particle_steps},
+            {"nominal_particle_steps", double(s.particles) * double(s.steps)}, {"memory_bytes", s.memory_bytes},
+            {"t", s.t}, {"errors", errors}, {"energy", {{"initial", s.energy_initial}, {"final", s.energy_final}}},
+            {"diverged", s.diverged}, {"diverged_how", s.diverged_how}, {"warnings", s.warnings}, {"git", commit()},
+            {"version", version()}};
+}
+
+}    // namespace sphonic

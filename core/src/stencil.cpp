@@ -1,0 +1,53 @@
+#include "stencil.hpp"
+
+#include <cmath>
+
+namespace sphonic {
+
+std::vector<Offset> lattice_neighbours(const abi::Box& box, const KernelUse& use) {
+    const double radius = use.radius();
+    const int reach = int(std::floor(radius / box.dx));
+    const int ry = box.dimension > 1 ? reach : 0, rz = box.dimension > 2 ? reach : 0;
+    std::vector<Offset> found;
+    std::vector<double> r;
+    for (int k = -rz; k <= rz; ++k)
+        for (int j = -ry; j <= ry; ++j)
+            for (int i = -reach; i <= reach; ++i) {
+                const double r2 = double(i * i + j * j + k * k) * box.dx * box.dx;
+                if (r2 == 0 || r2 >= radius * radius) continue;
+                found.push_back({.o = {i, j, k}, .r2 = r2});
+                r.push_back(std::sqrt(r2));
+            }
+    std::vector<double> slope(r.size());
+    use.kernel->evaluate(box.dimension, int(r.size()), r.data(), use.h, nullptr, slope.data());
+    std::vector<Offset> kept;
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        if (slope[n] == 0) continue;
+        for (int a = 0; a < 3; ++a) found[n].gradient[a] = -slope[n] * found[n].o[a] * box.dx;    // r_ij = -o dx
+        kept.push_back(found[n]);
+    }
+    return kept;
+}
+
+std::vector<Offset> half_neighbours(const std::vector<Offset>& all) {
+    std::vector<Offset> half;
+    for (const Offset& n : all) {
+        const int leading = n.o[2] ? n.o[2] : n.o[1] ? n.o[1] : n.o[0];
+        if (leading > 0) half.push_back(n);
+    }
+    return half;
+}
+
+RestCoefficients rest_coefficients(const abi::Form& form, double rho0) {
+    RestCoefficients c{};
+    form.coefficients({.n = 1, .rho_i = &rho0, .rho_j = &rho0}, &c.own, &c.other);
+    return c;
+}
+
+double rest_slope(const abi::Viscosity& viscosity, const Case& scene, const KernelUse& kernel, double r2) {
+    return viscosity.slope({.n = 1, .r2 = &r2, .h = kernel.h, .c = scene.medium.c0, .rho = scene.medium.rho0});
+}
+
+double lattice_volume(const abi::Box& box) { return std::pow(box.dx, box.dimension); }
+
+}    // namespace sphonic

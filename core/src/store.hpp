@@ -1,0 +1,77 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <sphonic/plugin/abi/arrangement.hpp>
+
+namespace sphonic {
+
+/// Zeroed doubles on a 64-byte boundary.
+class Array {
+public:
+    Array() = default;
+    explicit Array(std::size_t n);
+    double* data() { return data_.get(); }
+    const double* data() const { return data_.get(); }
+    std::size_t size() const { return size_; }
+
+private:
+    struct Release {
+        void operator()(double* p) const { ::operator delete[](p, std::align_val_t(64)); }
+    };
+    std::unique_ptr<double[], Release> data_;
+    std::size_t size_ = 0;
+};
+
+/// Where particle (i, j, k) of a set lies in a field: x fastest, rows padded, ghosts around.
+/// A set without structure is one row without ghosts.
+struct Layout {
+    int dimension = 1;
+    long count[3] = {1, 1, 1};
+    long ghosts[3] = {0, 0, 0};    ///< layers on either side, per axis
+    long stride[3] = {1, 0, 0};
+    long origin = 0;               ///< of particle (0, 0, 0)
+    long size = 0;                 ///< doubles to allocate per field
+
+    static Layout flat(long n);
+    static Layout grid(const abi::Box& box, long reach);
+
+    long particles() const { return count[0] * count[1] * count[2]; }
+    long at(long i, long j, long k) const { return origin + i + j * stride[1] + k * stride[2]; }
+
+    /// Calls row(offset in the field, index of its first particle) for every row of count[0] particles.
+    template <class Row>
+    void for_rows(Row row) const {
+        long first = 0;
+        for (long k = 0; k < count[2]; ++k)
+            for (long j = 0; j < count[1]; ++j, first += count[0]) row(at(0, j, k), first);
+    }
+};
+
+/// Field <-> consecutive particles.
+void gather(const Layout& layout, const double* field, double* particles);
+void scatter(const Layout& layout, const double* particles, double* field);
+/// Index in the field of each particle.
+std::vector<std::ptrdiff_t> field_indices(const Layout& layout);
+
+/// All copies of the state: slot 0 is the state, the others are named histories. Arrays appear when first asked for.
+class Store {
+public:
+    Store(long field_size, int components);
+    int components() const { return components_; }
+    double* array(int slot, int component);
+    int history(const std::string& name);
+    /// Bytes allocated so far.
+    double bytes() const;
+
+private:
+    long field_size_;
+    int components_;
+    std::vector<std::string> names_{"state"};
+    std::vector<std::vector<Array>> slots_;
+};
+
+}    // namespace sphonic

@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include "study_parts.hpp"
+
+namespace sphonic {
+namespace {
+
+struct Series {
+    std::string label;
+    std::vector<std::size_t> points;    ///< along x
+};
+
+std::string series_name(const Study& study, const StudyChart& wish, const StudyPoint& point) {
+    return wish.group.empty() ? joined_labels(study, point.labels, wish.x)
+                              : label_text(at_place(study, point, wish.group));
+}
+
+std::vector<Series> series_of(const Study& study, const StudyChart& wish) {
+    std::vector<Series> list;
+    for (std::size_t i = 0; i < study.points.size(); ++i) {
+        if (!at_place(study, study.points[i], wish.x).is_number()) continue;
+        const std::string name = series_name(study, wish, study.points[i]);
+        auto series = std::ranges::find(list, name, &Series::label);
+        if (series == list.end()) series = list.insert(list.end(), {name, {}});
+        series->points.push_back(i);
+    }
+    const auto x = [&](std::size_t i) { return at_place(study, study.points[i], wish.x).get<double>(); };
+    for (Series& series : list) std::ranges::stable_sort(series.points, {}, x);
+    return list;
+}
+
+/// A curve of ours for each series, and a dashed one of the same colour for what is printed.
+Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
+    Panel panel;
+    panel.x = {.label = wish.x_label, .log = wish.x_log, .lower = {}, .upper = {}};
+    panel.y = {.label = wish.y_label, .log = wish.y_log, .lower = {}, .upper = {}};
+    int family = 0;
+    for (const Series& series : series_of(study, wish)) {
+        Curve ours{.label = series.label,
+                   .x = {},
+                   .y = {},
+                   .style = Curve::Style::line_points,
+                   .point_labels = {},
+                   .family = family};
+        Curve printed{.label = series.label + (series.label.empty() ? "printed" : ", printed"),
+                      .x = {},
+                      .y = {},
+                      .style = Curve::Style::dashed,
+                      .point_labels = {},
+                      .family = family++};
+        for (const std::size_t i : series.points) {
+            const double x = at_place(study, study.points[i], wish.x).get<double>();
+            ours.x.push_back(x);
+            ours.y.push_back(measured(results[i], wish.y));
+            if (!study.points[i].printed || wish.y != study.measure) continue;
+            printed.x.push_back(x);
+            printed.y.push_back(*study.points[i].printed);
+        }
+        panel.curves.push_back(std::move(ours));
+        if (!printed.x.empty()) panel.curves.push_back(std::move(printed));
+    }
+    return {.title = wish.title, .panels = {panel}};
+}
+
+Chart cost_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
+    std::vector<CostPoint> points;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const std::string family = label_text(at_place(study, study.points[i], wish.group));
+        points.push_back({study.points[i].name, family, measured(results[i], "cpu_s"), measured(results[i], wish.y)});
+    }
+    return speed_accuracy_chart(wish.title, points, wish.x_label, wish.y_label);
+}
+
+}    // namespace
+
+Chart study_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
+    return wish.type == StudyChart::Type::cost ? cost_chart(study, wish, results) : value_chart(study, wish, results);
+}
+
+}    // namespace sphonic

@@ -1,0 +1,42 @@
+#pragma once
+/// The parts of a study: places and measures by name, points, tables, charts.
+
+#include <span>
+
+#include <sphonic/chart.hpp>
+#include <sphonic/study.hpp>
+
+namespace sphonic {
+
+/// A number that a run gives.
+struct Measure {
+    const char *name, *label;
+    double (*of)(const Summary&);
+    bool of_reference = false;    ///< needs one
+};
+
+std::span<const Measure> measures();
+/// `name` is one of them.
+const Measure& measure(const std::string& name);
+/// NaN where the point did not come to its end.
+double measured(const StudyResult& result, const std::string& name);
+
+/// What stands at a place of a point; null where there is nothing.
+Json at_place(const Study& study, const StudyPoint& point, const std::string& place);
+/// A label as people read it.
+std::string label_text(const Json& label);
+/// The labels of dimensions with several values, but for one dimension, with commas.
+std::string joined_labels(const Study& study, const std::vector<Json>& labels, const std::string& but = {});
+
+const char* status_name(StudyResult::Status status);
+
+/// Crosses the dimensions and makes each point's case.
+void make_points(Study& study);
+
+/// "STUDY: point 3 of 20 (NAME)", for messages.
+std::string point_place(const Study& study, std::size_t index, std::size_t total, const std::string& name);
+
+std::string study_csv(const Study& study, const std::vector<StudyResult>& results);
+Chart study_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results);
+
+}    // namespace sphonic

@@ -1,0 +1,121 @@
+#include <sphonic/stability.hpp>
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "stencil.hpp"
+
+namespace sphonic {
+namespace {
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Row of each evolved variable's first component.
+std::vector<int> rows_of(const Equations& e, int dimension, int& count) {
+    std::vector<int> row(e.variables.size(), -1);
+    for (std::size_t v = 0; v < row.size(); ++v)
+        if (e.variables[v].evolved()) {
+            row[v] = count;
+            count += e.variables[v].components(dimension);
+        }
+    return row;
+}
+
+/// The evolved variable behind v, and dv/d(it) at rest.
+std::pair<int, double> behind(const Case& scene, int v) {
+    const auto& variables = scene.equations.variables;
+    double slope = 1;
+    while (!variables[std::size_t(v)].evolved()) {
+        slope *= variables[std::size_t(v)].state->derivative(scene.medium, 0);
+        v = variables[std::size_t(v)].of;
+    }
+    return {v, slope};
+}
+
+/// Value of a variable at rest: densities are rho0, all else is zero.
+double at_rest(const Case& scene, int v) { return v == scene.equations.density ? scene.medium.rho0 : 0; }
+
+double rest_coefficient(const Case& scene, const Term& term) {
+    double value = term.coefficient;
+    for (const Factor& f : term.factors) value *= std::pow(at_rest(scene, f.variable), f.power);
+    return value;
+}
+
+double phase(const Case& scene, const Offset& n, const double* k) {
+    double sum = 0;
+    for (int a = 0; a < scene.box.dimension; ++a) sum += k[a] * n.o[a] * scene.box.dx;
+    return sum;
+}
+
+void add_derivative(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
+                    const std::vector<int>& rows, Matrix& A) {
+    const double other = rest_coefficients(*term.form, scene.medium.rho0).other;
+    const auto [base, slope] = behind(scene, term.operand);
+    const double factor = 2 * lattice_volume(scene.box) * other * slope * rest_coefficient(scene, term);
+    for (const Offset& n : half) {
+        const double s = std::sin(phase(scene, n, k));
+        for (int a = 0; a < scene.box.dimension; ++a) {
+            const double entry = factor * n.gradient[a] * s;
+            if (term.op == Term::Operator::gradient)
+                A(row + a, rows[std::size_t(base)]) += entry;
+            else
+                A(row, rows[std::size_t(base)] + a) -= entry;
+        }
+    }
+}
+
+void add_viscosity(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
+                   double strength, Matrix& A) {
+    const KernelUse& kernel = scene.kernels[std::size_t(term.kernel)];
+    const double mass = scene.medium.rho0 * lattice_volume(scene.box);
+    for (const Offset& n : half) {
+        const double slope = rest_slope(*term.viscosity, scene, kernel, n.r2);
+        const double even = 2 * (1 - std::cos(phase(scene, n, k)));
+        for (int a = 0; a < scene.box.dimension; ++a)
+            for (int b = 0; b < scene.box.dimension; ++b)
+                A(row + a, row + b) += strength * mass * slope * even * n.o[b] * scene.box.dx * n.gradient[a];
+    }
+}
+
+double largest_frequency(const Symbol& s) {
+    const Eigen::Map<const Matrix> A(s.a.data(), s.n, s.n);
+    double largest = 0;
+    for (const auto& value : A.eigenvalues()) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+}    // namespace
+
+Symbol symbol(const Case& scene, const double* k, double viscosity) {
+    Symbol result;
+    const Equations& e = scene.equations;
+    const std::vector<int> rows = rows_of(e, scene.box.dimension, result.n);
+    Matrix A = Matrix::Zero(result.n, result.n);
+    std::vector<std::vector<Offset>> half;
+    for (const KernelUse& use : scene.kernels) half.push_back(half_neighbours(lattice_neighbours(scene.box, use)));
+    for (std::size_t v = 0; v < e.variables.size(); ++v)
+        for (const Term& term : e.variables[v].terms) {
+            const auto& neighbours = half[std::size_t(term.kernel)];
+            if (term.op == Term::Operator::viscosity)
+                add_viscosity(scene, term, neighbours, k, rows[v], viscosity, A);
+            else
+                add_derivative(scene, term, neighbours, k, rows[v], rows, A);
+        }
+    result.a.assign(A.data(), A.data() + A.size());
+    return result;
+}
+
+double dispersion(const Case& scene, double k, const double* direction) {
+    double vector[3] = {0, 0, 0};
+    for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
+    return largest_frequency(symbol(scene, vector, 0)) / scene.medium.c0;
+}
+
+double long_wave_speed(const Case& scene, const double* direction) {
+    const double k = 1e-3 / scene.radius();    // the next term of the expansion is of relative order (k radius)^2 = 1e-6
+    const double coarse = dispersion(scene, 2 * k, direction) / (2 * k), fine = dispersion(scene, k, direction) / k;
+    return (4 * fine - coarse) / 3;
+}
+
+}    // namespace sphonic
