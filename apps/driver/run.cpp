@@ -4,6 +4,7 @@
 
 #include <sphonic/chart.hpp>
 #include <sphonic/error.hpp>
+#include <sphonic/json.hpp>
 #include <sphonic/log.hpp>
 #include <sphonic/registry.hpp>
 #include <sphonic/result_folder.hpp>

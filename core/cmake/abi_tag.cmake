@@ -15,14 +15,14 @@ endforeach()
 execute_process(
   COMMAND ${CMAKE_CXX_COMPILER} -march=native -Q --help=target
   OUTPUT_VARIABLE _target ERROR_QUIET)
-string(REGEX MATCH "-march=[ \t]+([^ \t\r\n]+)" _match "${_target}")
+string(REGEX MATCH "-march=[ \t]+([^ \t\r\n]+)" _match "${_target};${CMAKE_BUILD_TYPE}")
 set(_march ${CMAKE_MATCH_1})
 if(NOT _march)
   set(_march ${CMAKE_SYSTEM_PROCESSOR})
 endif()
 
 string(REGEX MATCH "^[0-9]+" _compiler_major ${CMAKE_CXX_COMPILER_VERSION})
-string(SHA256 _digest "${_abi_text};${SPHONIC_SPEED_FLAGS};${CMAKE_CXX_FLAGS};${SPHONIC_SANITIZE};${_target}")
+string(SHA256 _digest "${_abi_text};${SPHONIC_SPEED_FLAGS};${CMAKE_CXX_FLAGS};${SPHONIC_SANITIZE};${_target};${CMAKE_BUILD_TYPE}")
 string(SUBSTRING ${_digest} 0 12 _digest)
 set(SPHONIC_ABI_TAG "${CMAKE_CXX_COMPILER_ID}${_compiler_major}-${_march}-double-${_digest}")
 message(STATUS "sphonic: ABI tag ${SPHONIC_ABI_TAG}")

@@ -1,10 +1,13 @@
 # sphonic::plugin carries what a plugin needs: headers, language level, the flags its speed rests on, and the ABI tag.
+add_library(sphonic_headers INTERFACE)
+target_compile_features(sphonic_headers INTERFACE cxx_std_20)
+target_include_directories(sphonic_headers INTERFACE ${PROJECT_SOURCE_DIR}/core/include)
+
 add_library(sphonic_plugin INTERFACE)
 add_library(sphonic::plugin ALIAS sphonic_plugin)
-target_compile_features(sphonic_plugin INTERFACE cxx_std_20)
+target_link_libraries(sphonic_plugin INTERFACE sphonic_headers)
 target_compile_options(sphonic_plugin INTERFACE ${SPHONIC_SPEED_FLAGS})
 target_compile_definitions(sphonic_plugin INTERFACE SPHONIC_ABI_TAG="${SPHONIC_ABI_TAG}")
-target_include_directories(sphonic_plugin INTERFACE ${PROJECT_SOURCE_DIR}/core/include)
 
 # sphonic_add_plugin(KIND FILE): one file, one library KIND.NAME.so, where NAME is the file's name.
 function(sphonic_add_plugin kind file)

@@ -66,7 +66,7 @@ void check_provenance(Case& scene, Section& root) {
 }    // namespace
 
 void note_provenance(Case& scene, const Plugin& plugin) {
-    scene.provenance["plugins"][plugin.kind + "." + plugin.name] = plugin.file.string();
+    (*scene.provenance)["plugins"][plugin.kind + "." + plugin.name] = plugin.file.string();
 }
 
 double Case::radius() const {
@@ -84,6 +84,7 @@ Expression::Constants constants(const Case& scene) {
 
 Case load_case(Json document, const fs::path& file, Registry& registry) {
     Case scene;
+    scene.provenance = std::make_shared<Json>(Json::object());
     scene.file = file.string();
     auto kept = std::make_shared<const Json>(std::move(document));
     scene.source_text = kept;
@@ -101,11 +102,11 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     check_provenance(scene, root);
     root.finish();
     warn_unused(scene, root);
-    scene.provenance["version"] = version();
-    scene.provenance["commit"] = commit();
-    scene.provenance["abi"] = abi_tag();
-    scene.resolved = root.resolved;
-    scene.resolved["provenance"] = scene.provenance;
+    (*scene.provenance)["version"] = version();
+    (*scene.provenance)["commit"] = commit();
+    (*scene.provenance)["abi"] = abi_tag();
+    scene.resolved = std::make_shared<Json>(root.resolved);
+    (*scene.resolved)["provenance"] = *scene.provenance;
     return scene;
 }
 

@@ -5,8 +5,7 @@
 
 namespace sphonic {
 
-ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol)
-    : A_(Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(symbol.a.data(), symbol.n, symbol.n)) {
+ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol) : A_(symbol) {
     std::vector<int> first;
     int count = 0;
     for (const Variable& v : scene.equations.variables) {
@@ -21,7 +20,17 @@ ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol)
     }
     all_.resize(std::size_t(symbol.n));
     std::iota(all_.begin(), all_.end(), 0);
-    slots_.emplace_back(Eigen::MatrixXd::Identity(symbol.n, symbol.n));
+    slots_.resize(1);
+    unit_slots();
+}
+
+/// Slot s becomes the rows s n ... of the identity over all slots.
+void ModeSystem::unit_slots() {
+    const std::size_t n = std::size_t(A_.n), size = n * slots_.size();
+    for (std::size_t s = 0; s < slots_.size(); ++s) {
+        slots_[s].assign(n, std::vector<double>(size, 0.0));
+        for (std::size_t r = 0; r < n; ++r) slots_[s][r][s * n + r] = 1;
+    }
 }
 
 const std::vector<int>& ModeSystem::rows(abi::Group group) const {
@@ -33,42 +42,60 @@ abi::Slot ModeSystem::history(const char* name) {
     const auto known = std::find(names_.begin(), names_.end(), name);
     if (known != names_.end()) return int(known - names_.begin());
     names_.emplace_back(name);
-    slots_.emplace_back(Eigen::MatrixXd::Zero(slots_[0].rows(), slots_[0].cols()));
+    slots_.emplace_back(std::size_t(A_.n), std::vector<double>(slots_[0][0].size(), 0.0));
     return int(slots_.size()) - 1;
 }
 
+std::vector<double> ModeSystem::rate_of(int row) const {
+    std::vector<double> rate(slots_[0][0].size(), 0.0);
+    for (int c = 0; c < A_.n; ++c) {
+        const double a = A_.a[std::size_t(row * A_.n + c)];
+        for (std::size_t k = 0; k < rate.size(); ++k) rate[k] += a * slots_[0][std::size_t(c)][k];
+    }
+    return rate;
+}
+
 void ModeSystem::rate(abi::Group group, double, abi::Slot out) {
-    for (const int r : rows(group)) slots_[std::size_t(out)].row(r) = A_.row(r) * slots_[0];
+    for (const int r : rows(group)) slots_[std::size_t(out)][std::size_t(r)] = rate_of(r);
 }
 
 void ModeSystem::advance(abi::Group group, double, double dt) {
-    const Eigen::MatrixXd rate = A_ * slots_[0];
-    for (const int r : rows(group)) slots_[0].row(r) += dt * rate.row(r);
+    std::vector<std::vector<double>> rates;
+    for (const int r : rows(group)) rates.push_back(rate_of(r));
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        auto& row = slots_[0][std::size_t(rows(group)[i])];
+        for (std::size_t k = 0; k < row.size(); ++k) row[k] += dt * rates[i][k];
+    }
 }
 
 void ModeSystem::copy(abi::Group group, abi::Slot from, abi::Slot to) {
-    for (const int r : rows(group)) slots_[std::size_t(to)].row(r) = slots_[std::size_t(from)].row(r);
+    for (const int r : rows(group)) slots_[std::size_t(to)][std::size_t(r)] = slots_[std::size_t(from)][std::size_t(r)];
 }
 
 void ModeSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) {
-    for (const int r : rows(group)) slots_[std::size_t(y)].row(r) += a * slots_[std::size_t(x)].row(r);
+    for (const int r : rows(group)) {
+        const auto& from = slots_[std::size_t(x)][std::size_t(r)];
+        auto& to = slots_[std::size_t(y)][std::size_t(r)];
+        for (std::size_t k = 0; k < to.size(); ++k) to[k] += a * from[k];
+    }
 }
 
-Eigen::MatrixXd ModeSystem::one_step_map(const abi::Integrator& integrator, double dt) {
-    const Eigen::Index n = A_.rows();
+Symbol ModeSystem::one_step_map(const abi::Integrator& integrator, double dt) {
     integrator.step(*this, {0, 0, dt});    // names the histories
-    const Eigen::Index slots = Eigen::Index(slots_.size()), size = n * slots;
-    for (Eigen::Index s = 0; s < slots; ++s) {
-        slots_[std::size_t(s)] = Eigen::MatrixXd::Zero(n, size);
-        slots_[std::size_t(s)].middleCols(s * n, n).setIdentity();
-    }
+    unit_slots();
     integrator.step(*this, {1, dt, dt});
-    Eigen::MatrixXd map(size, size);
-    for (Eigen::Index s = 0; s < slots; ++s) map.middleRows(s * n, n) = slots_[std::size_t(s)];
-    std::vector<Eigen::Index> kept;    // scratch arrays influence nothing: their columns are zero
-    for (Eigen::Index c = 0; c < size; ++c)
-        if (c < n || !map.col(c).isZero(0)) kept.push_back(c);
-    return map(kept, kept).eval();
+    const std::size_t n = std::size_t(A_.n), size = n * slots_.size();
+    std::vector<std::size_t> kept;    // scratch arrays influence nothing: their columns are zero
+    for (std::size_t c = 0; c < size; ++c) {
+        bool used = c < n;
+        for (const Rows& slot : slots_)
+            for (const auto& row : slot) used = used || row[c] != 0;
+        if (used) kept.push_back(c);
+    }
+    Symbol map{.n = int(kept.size()), .a = {}};
+    for (const std::size_t r : kept)
+        for (const std::size_t c : kept) map.a.push_back(slots_[r / n][r % n][c]);
+    return map;
 }
 
 }    // namespace sphonic

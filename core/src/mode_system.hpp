@@ -2,8 +2,6 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include <sphonic/stability.hpp>
 
 namespace sphonic {
@@ -15,7 +13,7 @@ public:
     ModeSystem(const Case& scene, const Symbol& symbol);
 
     /// The matrix that takes (state, histories that persist) over a step `dt`, past the first step.
-    Eigen::MatrixXd one_step_map(const abi::Integrator& integrator, double dt);
+    Symbol one_step_map(const abi::Integrator& integrator, double dt);
 
     int groups() const override { return int(order_.size()); }
     abi::Slot history(const char* name) override;
@@ -26,13 +24,16 @@ public:
     void settle(abi::Group, double) override {}
 
 private:
-    Eigen::MatrixXd A_;
+    using Rows = std::vector<std::vector<double>>;    ///< [row][column]
+    const Symbol& A_;
     std::vector<std::vector<int>> order_;    ///< rows of each splitting group
     std::vector<int> all_, none_;
     std::vector<std::string> names_{"state"};
-    std::vector<Eigen::MatrixXd> slots_;
+    std::vector<Rows> slots_;
 
     const std::vector<int>& rows(abi::Group group) const;
+    std::vector<double> rate_of(int row) const;
+    void unit_slots();
 };
 
 }    // namespace sphonic

@@ -11,7 +11,7 @@
 namespace sphonic {
 namespace {
 
-constexpr long pairs_per_tile = 768;    // some ten arrays of this length stay in the first-level cache
+constexpr long pairs_per_tile = 288;    // some ten arrays of this length stay in the first-level cache
 constexpr double skin_over_dx = 0.25;
 
 /// What the programs of one moving set share.
@@ -43,32 +43,38 @@ void for_tiles(const MovingSet& set, Visit visit) {
     }
 }
 
-/// Per-pair values of a tile; each is packed at most once, when first asked for.
+/// Per-pair values of a tile: separations, kernel slopes, and both sides' values of the components in use.
 class PairValues {
 public:
-    explicit PairValues(const MovingSet& set) : set_(set) {
-        const std::size_t kernels = set.scene.kernels.size();
-        slope_.resize(kernels);
-        weight_.resize(kernels);
-        own_.resize(std::size_t(set.components.count));
-        other_.resize(std::size_t(set.components.count));
-        packed_.resize(std::size_t(set.components.count));
+    /// `components` are those that the program reads.
+    PairValues(const MovingSet& set, const std::vector<int>& components) : set_(set), components_(components) {
+        slope_.resize(set.scene.kernels.size());
+        weight_.resize(set.scene.kernels.size());
+        own_.resize(std::size_t(set.components.count) + 1);
+        other_.resize(own_.size());
+        if (set.scene.equations.density >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
     }
 
-    void start(const PairTile& tile, const Evaluation& e) {
+    /// Once per evaluation, before any tile.
+    void begin(const double* const* state) {
+        state_ = state;
+        if (!inverse_rho_.data()) return;
+        const double* __restrict rho = state[density()];
+        double* __restrict inverse = inverse_rho_.data();
+        for (long i = 0; i < set_.layout.size; ++i) inverse[i] = 1 / rho[i];
+    }
+
+    void start(const PairTile& tile) {
         tile_ = &tile;
-        state_ = e.state;
-        std::fill(packed_.begin(), packed_.end(), 0);
+        pack_tile();
         const int d = set_.scene.box.dimension, n = tile.n;
-        double* r2 = room(r2_);
+        double *__restrict r2 = room(r2_), *__restrict distance = room(distance_);
         for (int a = 0; a < d; ++a) {
-            double* ra = room(r_[a]);
-            pack_difference(tile, set_.x[a], ra);
+            double* __restrict ra = r_[a].data();
             if (const double period = set_.list.period(a); period > 0)
                 for (int k = 0; k < n; ++k) ra[k] -= period * std::nearbyint(ra[k] / period);
             for (int k = 0; k < n; ++k) r2[k] = a == 0 ? ra[k] * ra[k] : r2[k] + ra[k] * ra[k];
         }
-        double* distance = room(distance_);
         for (int k = 0; k < n; ++k) distance[k] = std::sqrt(r2[k]);
         for (std::size_t i = 0; i < set_.scene.kernels.size(); ++i) {
             const KernelUse& use = set_.scene.kernels[i];
@@ -83,8 +89,10 @@ public:
     /// (dW/dr)/r, and the same times V_j.
     const double* slope(int kernel) const { return slope_[std::size_t(kernel)].data(); }
     const double* weight(int kernel) const { return weight_[std::size_t(kernel)].data(); }
-    const double* own(int component) { return pack_once(component), own_[std::size_t(component)].data(); }
-    const double* other(int component) { return pack_once(component), other_[std::size_t(component)].data(); }
+    const double* own(int component) const { return own_[std::size_t(component)].data(); }
+    const double* other(int component) const { return other_[std::size_t(component)].data(); }
+    const double* own_inverse_rho() const { return own_.back().data(); }
+    const double* other_inverse_rho() const { return other_.back().data(); }
     /// A scratch array of the tile's length.
     double* room(Array& array) const {
         if (long(array.size()) < tile_->n) array = Array(std::size_t(std::max<long>(tile_->n, pairs_per_tile)));
@@ -93,36 +101,44 @@ public:
 
 private:
     const MovingSet& set_;
+    std::vector<int> components_;
     const double* const* state_ = nullptr;
     const PairTile* tile_ = nullptr;
-    Array r_[3], r2_, distance_;
+    Array r_[3], r2_, distance_, inverse_rho_;
     std::vector<Array> slope_, weight_, own_, other_;
-    std::vector<char> packed_;
+    std::vector<Packing> packings_;
 
-    void pack_once(int component) {
-        if (packed_[std::size_t(component)]++) return;
-        pack(*tile_, state_[component], room(own_[std::size_t(component)]), room(other_[std::size_t(component)]));
+    int density() const { return set_.components.first[std::size_t(set_.scene.equations.density)]; }
+
+    void pack_tile() {
+        packings_.clear();
+        for (int a = 0; a < set_.scene.box.dimension; ++a) packings_.push_back({set_.x[a], nullptr, room(r_[a])});
+        for (const int c : components_)
+            packings_.push_back({state_[c], room(own_[std::size_t(c)]), room(other_[std::size_t(c)])});
+        if (inverse_rho_.data()) packings_.push_back({inverse_rho_.data(), room(own_.back()), room(other_.back())});
+        pack(*tile_, packings_);
     }
 
-    void weigh(double* __restrict weight, const double* __restrict slope) {
-        const int rho = set_.scene.equations.density;
-        if (rho < 0) {
+    void weigh(double* __restrict weight, const double* __restrict slope) const {
+        if (!inverse_rho_.data()) {
             for (int k = 0; k < n(); ++k) weight[k] = set_.volume * slope[k];
             return;
         }
-        const double* __restrict rho_j = other(set_.components.first[std::size_t(rho)]);
+        const double* __restrict inverse = other_inverse_rho();
         const double mass = set_.mass;
-        for (int k = 0; k < n(); ++k) weight[k] = mass / rho_j[k] * slope[k];
+        for (int k = 0; k < n(); ++k) weight[k] = mass * inverse[k] * slope[k];
     }
 };
 
 class MovingProgram final : public Program {
 public:
-    MovingProgram(MovingSet& set, const std::vector<int>& variables) : set_(set), variables_(variables), pairs_(set) {}
+    MovingProgram(MovingSet& set, const std::vector<int>& variables)
+        : set_(set), variables_(variables), pairs_(set, components_read(set, variables)) {}
 
     void evaluate(const Evaluation& e) override {
+        pairs_.begin(e.state);
         for_tiles(set_, [&](const PairTile& tile) {
-            pairs_.start(tile, e);
+            pairs_.start(tile);
             for (const int v : variables_) evaluate_variable(v, tile, pairs_, e);
         });
     }
@@ -131,7 +147,25 @@ private:
     MovingSet& set_;
     std::vector<int> variables_;
     PairValues pairs_;
-    Array sum_, density_, own_, other_, u_dot_r_, Pi_, factor_;
+    Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_;
+
+    static std::vector<int> components_read(const MovingSet& set, const std::vector<int>& variables) {
+        const Equations& e = set.scene.equations;
+        std::vector<int> read;
+        const auto add = [&](int v) {
+            for (int c = 0; c < e.variables[std::size_t(v)].components(set.scene.box.dimension); ++c)
+                read.push_back(set.components.first[std::size_t(v)] + c);
+        };
+        if (e.density >= 0) add(e.density);
+        for (const int v : variables)
+            for (const Term& term : e.variables[std::size_t(v)].terms) {
+                add(term.operand);
+                for (const Factor& f : term.factors) add(f.variable);
+            }
+        std::sort(read.begin(), read.end());
+        read.erase(std::unique(read.begin(), read.end()), read.end());
+        return read;
+    }
 
     const Variable& variable(int v) const { return set_.scene.equations.variables[std::size_t(v)]; }
     int component(int v) const { return set_.components.first[std::size_t(v)]; }
@@ -153,7 +187,7 @@ private:
 
     void add_derivative(const Term& term, PairValues& pairs, double* sum) {
         const auto [own, other] = coefficients(term, pairs);
-        double* __restrict value = pairs.room(factor_);
+        double* __restrict value = pairs.room(value_);
         const double* __restrict weight = pairs.weight(term.kernel);
         const int n = pairs.n();
         if (term.op == Term::Operator::gradient) {
@@ -169,7 +203,7 @@ private:
                 for (int k = 0; k < n; ++k) value[k] += part[k] * r[k] * weight[k];
             }
         }
-        for (const Factor& factor : term.factors) multiply(value, n, pairs.own(component(factor.variable)), factor.power);
+        for (const Factor& factor : term.factors) multiply(value, pairs, factor);
         for (int k = 0; k < n; ++k) sum[k] += term.coefficient * value[k];
     }
 
@@ -187,7 +221,8 @@ private:
             own[0] = c.own, other[0] = c.other;
             return {{own, 0}, {other, 0}};
         }
-        term.form->coefficients({.n = pairs.n(), .rho_i = pairs.own(component(rho)), .rho_j = pairs.other(component(rho))}, own, other);
+        term.form->coefficients({pairs.n(), pairs.own(component(rho)), pairs.other(component(rho)), pairs.own_inverse_rho(),
+                                 pairs.other_inverse_rho()}, own, other);
         return {{own, 1}, {other, 1}};
     }
 
@@ -202,9 +237,11 @@ private:
         }
     }
 
-    static void multiply(double* __restrict value, int n, const double* __restrict f, int power) {
-        for (int p = 0; p < std::abs(power); ++p)
-            for (int k = 0; k < n; ++k) value[k] = power > 0 ? value[k] * f[k] : value[k] / f[k];
+    void multiply(double* __restrict value, PairValues& pairs, const Factor& factor) const {
+        const bool inverse = factor.power < 0, density = factor.variable == set_.scene.equations.density;
+        const double* __restrict f = inverse && density ? pairs.own_inverse_rho() : pairs.own(component(factor.variable));
+        for (int p = 0; p < std::abs(factor.power); ++p)
+            for (int k = 0; k < pairs.n(); ++k) value[k] = inverse && !density ? value[k] / f[k] : value[k] * f[k];
     }
 
     void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum) {

@@ -21,24 +21,29 @@ struct PairTile {
     }
 };
 
-/// own[k] = f[i], other[k] = f[j] of each pair.
-inline void pack(const PairTile& tile, const double* f, double* __restrict own, double* __restrict other) {
-    const std::int32_t* j = tile.j;
-    tile.for_rows([&](long i, int first, int last) {
-        const double fi = f[i];
-        for (int k = first; k < last; ++k) {
-            own[k] = fi;
-            other[k] = f[j[k]];
-        }
-    });
-}
+/// A field to pack: own[k] = f[i] and other[k] = f[j], or, where `own` is null, other[k] = f[i] - f[j].
+struct Packing {
+    const double* f;
+    double* own;
+    double* other;
+};
 
-/// difference[k] = f[i] - f[j].
-inline void pack_difference(const PairTile& tile, const double* f, double* __restrict difference) {
-    const std::int32_t* j = tile.j;
+/// Packs all fields row by row, so that the indices of a row are read once.
+inline void pack(const PairTile& tile, const std::vector<Packing>& fields) {
     tile.for_rows([&](long i, int first, int last) {
-        const double fi = f[i];
-        for (int k = first; k < last; ++k) difference[k] = fi - f[j[k]];
+        const std::int32_t* __restrict j = tile.j + first;
+        const int n = last - first;
+        for (const Packing& field : fields) {
+            const double fi = field.f[i];
+            double* __restrict other = field.other + first;
+            if (!field.own) {
+                for (int k = 0; k < n; ++k) other[k] = fi - field.f[j[k]];
+                continue;
+            }
+            double* __restrict own = field.own + first;
+            for (int k = 0; k < n; ++k) own[k] = fi;
+            for (int k = 0; k < n; ++k) other[k] = field.f[j[k]];
+        }
     });
 }
 

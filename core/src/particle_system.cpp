@@ -117,10 +117,11 @@ void ParticleSystem::evaluate(Part& part, abi::Slot out, double scale, bool assi
     if (part.program) part.program->evaluate({state_arrays_.data(), out_arrays_.data(), scale, assign});
     if (!part.positions) return;
     const int u = components_.first[std::size_t(scene_.equations.velocity)];
+    const long size = layout().size;
     for (int a = 0; a < scene_.box.dimension; ++a) {
         const double* __restrict velocity = state_arrays_[std::size_t(u + a)];
         double* __restrict target = store_.array(out, components_.positions + a);
-        for (long i = 0; i < layout().size; ++i) target[i] = (assign ? 0 : target[i]) + scale * velocity[i];
+        for (long i = 0; i < size; ++i) target[i] = (assign ? 0 : target[i]) + scale * velocity[i];
     }
 }
 
@@ -148,10 +149,11 @@ void ParticleSystem::copy(abi::Group group, abi::Slot from, abi::Slot to) {
 
 void ParticleSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) {
     const Part& p = part(group);
+    const long size = layout().size;
     const auto one = [&](int c) {
         const double* __restrict from = store_.array(x, c);
         double* __restrict to = store_.array(y, c);
-        for (long i = 0; i < layout().size; ++i) to[i] += a * from[i];
+        for (long i = 0; i < size; ++i) to[i] += a * from[i];
     };
     for (const int c : p.components) one(c);
     for (int axis = 0; p.positions && axis < scene_.box.dimension; ++axis) one(components_.positions + axis);

@@ -1,13 +1,17 @@
 /// The one file that opens shared libraries.
 #define BOOST_DLL_USE_STD_FS
+#include <boost/dll/shared_library.hpp>
+
+#include <dlfcn.h>
+#include <link.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <string_view>
 #include <vector>
-
-#include <boost/dll/library_info.hpp>    // does not include <vector> itself
-#include <boost/dll/shared_library.hpp>
 
 #include <sphonic/error.hpp>
 #include <sphonic/registry.hpp>
@@ -24,37 +28,94 @@ namespace {
 
 const std::string rebuild = "Build it again against this sphonic, through the CMake target sphonic::plugin";
 
+/// A shared library read as data. Everything that its headers claim must lie inside the file: dlopen maps on their
+/// word and dies of SIGBUS beyond the end, which nothing can catch.
+/// (Not boost::dll::library_info: it reads .symtab, which strip removes, and takes its names from the last string table.)
+class SharedObject {
+public:
+    explicit SharedObject(std::string_view bytes) : bytes_(bytes) {
+        const auto header = at<ElfW(Ehdr)>(0);
+        if (header.e_ident[EI_CLASS] != (sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32)) throw Damaged{};
+        for (std::size_t i = 0; i < header.e_phnum; ++i) {
+            const auto segment = at<ElfW(Phdr)>(header.e_phoff + i * sizeof(ElfW(Phdr)));
+            require(segment.p_offset, segment.p_filesz);
+        }
+        for (std::size_t i = 0; i < header.e_shnum; ++i) {
+            sections_.push_back(at<ElfW(Shdr)>(header.e_shoff + i * sizeof(ElfW(Shdr))));
+            if (sections_.back().sh_type != SHT_NOBITS) require(sections_.back().sh_offset, sections_.back().sh_size);
+        }
+    }
+
+    bool exports(std::string_view name) const {
+        for (const auto& table : sections_) {
+            if (table.sh_type != SHT_DYNSYM) continue;
+            if (table.sh_link >= sections_.size()) throw Damaged{};
+            const auto& strings = sections_[table.sh_link];
+            const std::string_view names = bytes_.substr(strings.sh_offset, strings.sh_size);
+            for (std::size_t i = 0; i < table.sh_size / sizeof(ElfW(Sym)); ++i) {
+                const auto symbol = at<ElfW(Sym)>(table.sh_offset + i * sizeof(ElfW(Sym)));
+                if (symbol.st_name >= names.size()) throw Damaged{};
+                const auto rest = names.substr(symbol.st_name);
+                if (symbol.st_shndx != SHN_UNDEF && rest.substr(0, rest.find('\0')) == name) return true;
+            }
+        }
+        return false;
+    }
+
+    struct Damaged {};
+
+private:
+    std::string_view bytes_;
+    std::vector<ElfW(Shdr)> sections_;
+
+    void require(std::size_t offset, std::size_t size) const {
+        if (offset > bytes_.size() || size > bytes_.size() - offset) throw Damaged{};
+    }
+    template <class T>
+    T at(std::size_t offset) const {
+        require(offset, sizeof(T));
+        T value;
+        std::memcpy(&value, bytes_.data() + offset, sizeof value);
+        return value;
+    }
+};
+
 /// Reads the file as data: a text file, a truncated library or a foreign one never reaches dlopen.
 void inspect(const fs::path& file) {
     std::error_code failed;
     const auto size = fs::file_size(file, failed);
     if (failed) refuse(file, "cannot be read: " + failed.message(), "Check the file and its permissions");
     if (size == 0) refuse(file, "is empty", "Build the plugin again");
-    char head[4] = {};
-    std::ifstream(file, std::ios::binary).read(head, sizeof head);
-    if (std::memcmp(head, "\177ELF", 4) != 0)
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) refuse(file, "cannot be read", "Check the file and its permissions");
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (!bytes.starts_with(ELFMAG))
         refuse(file, "is not a shared library (no ELF header)", "Build the plugin as a shared library");
-    std::vector<std::string> symbols;
     try {
-        symbols = dll::library_info(file, true).symbols();
-    } catch (const std::exception&) {
+        if (SharedObject(bytes).exports(abi::entry_symbol)) return;
+    } catch (const SharedObject::Damaged&) {
         refuse(file, "is a damaged or truncated shared library", "Build or copy the plugin again");
     }
-    if (std::find(symbols.begin(), symbols.end(), abi::entry_symbol) == symbols.end())
-        refuse(file, std::string("has no symbol ") + abi::entry_symbol,
-               "End the plugin's source with its macro line, such as SPHONIC_KERNEL(...)");
+    refuse(file, std::string("has no symbol ") + abi::entry_symbol,
+           "End the plugin's source with its macro line, such as SPHONIC_KERNEL(...)");
 }
 
-/// The truth about a failure is in what(); the code's own message is junk.
+/// The dynamic loader's own words, out of "...(dlerror system message: FILE: WORDS): Bad file descriptor".
+std::string words_of_loader(std::string what, const fs::path& file) {
+    const std::string before = "dlerror system message: ", after = "): ";
+    if (const auto begin = what.find(before); begin != std::string::npos) what.erase(0, begin + before.size());
+    if (const auto end = what.rfind(after); end != std::string::npos) what.erase(end);
+    const std::string named = file.string() + ": ";
+    return what.starts_with(named) ? what.substr(named.size()) : what;
+}
+
+/// RTLD_NODELETE keeps the library for the life of the program: objects and texts point into it.
 void open_forever(dll::shared_library& library, const fs::path& file) {
     try {
-        library.load(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local);
+        library.load(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local | dll::load_mode::type(RTLD_NODELETE));
     } catch (const std::exception& e) {
-        std::string why = e.what();
-        const auto named = why.find(file.string());
-        if (named != std::string::npos) why = why.substr(named + file.string().size());
-        while (!why.empty() && (why[0] == ':' || why[0] == ' ')) why.erase(0, 1);
-        refuse(file, "cannot be loaded: " + why, "Install what it needs, or build it again");
+        refuse(file, "cannot be loaded: " + words_of_loader(e.what(), file),
+               "Install what it needs, or build it again");
     }
 }
 
@@ -107,14 +168,16 @@ const char* abi_tag() { return SPHONIC_ABI_TAG; }
 
 Plugin load_plugin(const fs::path& file) {
     inspect(file);
-    auto* library = new dll::shared_library;    // kept for the life of the program: objects and texts point into it
-    open_forever(*library, file);
-    const auto entry_of = library->get<const abi::Entry*()>(abi::entry_symbol);
+    dll::shared_library library;
+    open_forever(library, file);
+    const auto entry_of = library.get<const abi::Entry*()>(abi::entry_symbol);
     const abi::Entry* entry = nullptr;
     try {
         entry = entry_of();
     } catch (const std::exception& e) {
         refuse(file, std::string("its entry function failed: ") + e.what(), rebuild);
+    } catch (...) {
+        refuse(file, "its entry function threw something that is not an exception", rebuild);
     }
     check_entry(file, entry);
     check_table(file, *entry);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include <sphonic/error.hpp>
+#include <sphonic/json.hpp>
 #include <sphonic/stability.hpp>
 #include <sphonic/version.hpp>
 

@@ -40,7 +40,8 @@ std::vector<Offset> half_neighbours(const std::vector<Offset>& all) {
 
 RestCoefficients rest_coefficients(const abi::Form& form, double rho0) {
     RestCoefficients c{};
-    form.coefficients({.n = 1, .rho_i = &rho0, .rho_j = &rho0}, &c.own, &c.other);
+    const double inverse = 1 / rho0;
+    form.coefficients({1, &rho0, &rho0, &inverse, &inverse}, &c.own, &c.other);
     return c;
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include "eigenvalues.hpp"
 #include "mode_system.hpp"
 
 namespace sphonic {
@@ -22,9 +22,7 @@ struct Mode {
 
 Mode make_mode(const Case& scene, const double* k) {
     Mode mode{symbol(scene, k), 0, 0};
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Map<const Matrix> A(mode.symbol.a.data(), mode.symbol.n, mode.symbol.n);
-    for (const auto& value : A.eigenvalues()) {
+    for (const auto& value : eigenvalues(mode.symbol.n, mode.symbol.a.data())) {
         mode.frequency = std::max(mode.frequency, std::abs(value));
         mode.decay = std::min(mode.decay, value.real());
     }
@@ -79,9 +77,10 @@ std::vector<Mode> demanding_modes(const Case& scene) {
 double worst_root(const Case& scene, const std::vector<Mode>& modes, double dt) {
     double worst = 0;
     for (const Mode& mode : modes) {
-        const Eigen::MatrixXd map = ModeSystem(scene, mode.symbol).one_step_map(*scene.integrator, dt);
-        if (!map.allFinite()) return std::numeric_limits<double>::infinity();
-        for (const auto& xi : map.eigenvalues()) worst = std::max(worst, std::abs(xi));
+        const Symbol map = ModeSystem(scene, mode.symbol).one_step_map(*scene.integrator, dt);
+        for (const double entry : map.a)
+            if (!std::isfinite(entry)) return std::numeric_limits<double>::infinity();
+        for (const auto& xi : eigenvalues(map.n, map.a.data())) worst = std::max(worst, std::abs(xi));
     }
     return worst;
 }

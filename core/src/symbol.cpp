@@ -2,14 +2,17 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include "eigenvalues.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// Writes into a symbol by row and column.
+struct Matrix {
+    Symbol& symbol;
+    double& operator()(int row, int column) const { return symbol.a[std::size_t(row * symbol.n + column)]; }
+};
 
 /// Row of each evolved variable's first component.
 std::vector<int> rows_of(const Equations& e, int dimension, int& count) {
@@ -49,7 +52,7 @@ double phase(const Case& scene, const Offset& n, const double* k) {
 }
 
 void add_derivative(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
-                    const std::vector<int>& rows, Matrix& A) {
+                    const std::vector<int>& rows, const Matrix& A) {
     const double other = rest_coefficients(*term.form, scene.medium.rho0).other;
     const auto [base, slope] = behind(scene, term.operand);
     const double factor = 2 * lattice_volume(scene.box) * other * slope * rest_coefficient(scene, term);
@@ -66,7 +69,7 @@ void add_derivative(const Case& scene, const Term& term, const std::vector<Offse
 }
 
 void add_viscosity(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
-                   double strength, Matrix& A) {
+                   double strength, const Matrix& A) {
     const KernelUse& kernel = scene.kernels[std::size_t(term.kernel)];
     const double mass = scene.medium.rho0 * lattice_volume(scene.box);
     for (const Offset& n : half) {
@@ -79,9 +82,8 @@ void add_viscosity(const Case& scene, const Term& term, const std::vector<Offset
 }
 
 double largest_frequency(const Symbol& s) {
-    const Eigen::Map<const Matrix> A(s.a.data(), s.n, s.n);
     double largest = 0;
-    for (const auto& value : A.eigenvalues()) largest = std::max(largest, std::abs(value));
+    for (const auto& value : eigenvalues(s.n, s.a.data())) largest = std::max(largest, std::abs(value));
     return largest;
 }
 
@@ -91,7 +93,8 @@ Symbol symbol(const Case& scene, const double* k, double viscosity) {
     Symbol result;
     const Equations& e = scene.equations;
     const std::vector<int> rows = rows_of(e, scene.box.dimension, result.n);
-    Matrix A = Matrix::Zero(result.n, result.n);
+    result.a.assign(std::size_t(result.n * result.n), 0.0);
+    const Matrix A{result};
     std::vector<std::vector<Offset>> half;
     for (const KernelUse& use : scene.kernels) half.push_back(half_neighbours(lattice_neighbours(scene.box, use)));
     for (std::size_t v = 0; v < e.variables.size(); ++v)
@@ -102,7 +105,6 @@ Symbol symbol(const Case& scene, const double* k, double viscosity) {
             else
                 add_derivative(scene, term, neighbours, k, rows[v], rows, A);
         }
-    result.a.assign(A.data(), A.data() + A.size());
     return result;
 }
 

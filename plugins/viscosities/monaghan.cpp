@@ -15,8 +15,8 @@ struct Monaghan {
         double linear, quadratic;    ///< of u_ij . r_ij
     };
     Pair prepare(double r2, double h, double c, double rho) const {
-        const double slope = h / (r2 + 0.01 * h * h), per_rho = 1 / rho;
-        return {-alpha * c * slope * per_rho, beta * slope * slope * per_rho};
+        const double width = r2 + 0.01 * h * h, inverse = 1 / (width * rho);    // one division: phi = h u.r / width
+        return {-alpha * c * h * inverse, beta * h * h * inverse * inverse * rho};
     }
     double operator()(const Pair& pair, double u_dot_r) const {
         const double s = std::min(u_dot_r, 0.0);

@@ -22,7 +22,10 @@ struct Coefficients {
 
 Coefficients coefficients(const abi::Form& form, const std::vector<double>& rho_i, const std::vector<double>& rho_j) {
     Coefficients c{std::vector<double>(rho_i.size()), std::vector<double>(rho_i.size())};
-    form.coefficients({int(rho_i.size()), rho_i.data(), rho_j.data()}, c.own.data(), c.other.data());
+    std::vector<double> inverse_i, inverse_j;
+    for (const double rho : rho_i) inverse_i.push_back(1 / rho);
+    for (const double rho : rho_j) inverse_j.push_back(1 / rho);
+    form.coefficients({int(rho_i.size()), rho_i.data(), rho_j.data(), inverse_i.data(), inverse_j.data()}, c.own.data(), c.other.data());
     return c;
 }
 

@@ -113,13 +113,14 @@ std::vector<Subject<Interface>> subjects() {
 /// Stands behind the end of an output block, where nothing may be written.
 inline constexpr double untouched = 42;
 
-/// The largest absolute difference of two equally long lists.
+/// The largest absolute difference of two equally long lists; NaN if one of them is.
 inline double gap(const std::vector<double>& a, const std::vector<double>& b) {
     REQUIRE(a.size() == b.size());
     double largest = 0;
     for (std::size_t k = 0; k < a.size(); ++k) {
         const double difference = std::abs(a[k] - b[k]);
-        if (!(difference <= largest)) largest = difference;    // a NaN stays
+        if (std::isnan(difference)) return difference;
+        largest = std::max(largest, difference);
     }
     return largest;
 }

@@ -8,7 +8,7 @@
 
 #include <sphonic/equations.hpp>
 #include <sphonic/expression.hpp>
-#include <sphonic/json.hpp>
+#include <sphonic/json_fwd.hpp>
 #include <sphonic/plugin/abi/arrangement.hpp>
 #include <sphonic/plugin/abi/integrator.hpp>
 #include <sphonic/plugin/abi/method.hpp>
@@ -69,8 +69,8 @@ struct Case {
     std::string method_name;
     std::vector<std::string> warnings;
 
-    Json resolved;      ///< the case with every default; runs again to the same bits
-    Json provenance;    ///< plugins in use: path and ABI; version and commit
+    std::shared_ptr<Json> resolved;      ///< the case with every default; runs again to the same bits
+    std::shared_ptr<Json> provenance;    ///< plugins in use with their paths, ABI, version and commit
     std::shared_ptr<const Json> source_text;
     std::vector<std::shared_ptr<const Json>> presets;
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
+
 #include <filesystem>
 #include <string>
 #include <string_view>

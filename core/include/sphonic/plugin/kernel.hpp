@@ -25,11 +25,11 @@ public:
     K model;
 
     void evaluate(int d, int n, const double* r, double h, double* W, double* dW_over_r) const override {
-        const double s = support(), inverse_h = 1 / h;
+        const double edge = support() * h, inverse_h = 1 / h;
         double scale = sigma(d);
         for (int a = 0; a < d; ++a) scale *= inverse_h;
-        if (W) values(d, n, r, inverse_h, s, scale, W);
-        if (dW_over_r) slopes(d, n, r, inverse_h, s, scale * inverse_h * inverse_h, dW_over_r);
+        if (W) values(d, n, r, inverse_h, edge, scale, W);
+        if (dW_over_r) slopes(d, n, r, inverse_h, edge, scale * inverse_h * inverse_h, dW_over_r);
     }
     double support() const override { return model.support(); }
     bool defined(int d) const override { return Claimed >> unsigned(d) & 1u; }
@@ -54,20 +54,20 @@ private:
         else
             return model.dw(q);
     }
-    void values(int d, int n, const double* __restrict r, double inverse_h, double s, double scale,
+    void values(int d, int n, const double* __restrict r, double inverse_h, double edge, double scale,
                 double* __restrict W) const {
 #pragma omp simd
         for (int k = 0; k < n; ++k) {
             const double q = r[k] * inverse_h, value = scale * w(q, d);
-            W[k] = q < s ? value : 0;
+            W[k] = r[k] < edge ? value : 0;
         }
     }
-    void slopes(int d, int n, const double* __restrict r, double inverse_h, double s, double scale,
+    void slopes(int d, int n, const double* __restrict r, double inverse_h, double edge, double scale,
                 double* __restrict dW_over_r) const {
 #pragma omp simd
         for (int k = 0; k < n; ++k) {
             const double q = r[k] * inverse_h, value = scale * dw(q, d) / (q > 0 ? q : 1);
-            dW_over_r[k] = (q > 0) & (q < s) ? value : 0;
+            dW_over_r[k] = (q > 0) & (r[k] < edge) ? value : 0;
         }
     }
 };

@@ -2,11 +2,11 @@
 
 namespace sphonic::abi {
 
-/// Densities [kg/m^3] of the two particles of each of n pairs.
+/// Densities [kg/m^3] of the two particles of each of n pairs, and their inverses, which cost a division less.
 struct PairMedia {
     int n = 0;
-    const double* rho_i = nullptr;
-    const double* rho_j = nullptr;
+    const double *rho_i = nullptr, *rho_j = nullptr;
+    const double *inverse_rho_i = nullptr, *inverse_rho_j = nullptr;
 };
 
 /// How a gradient or a divergence weighs the two values of a pair:
