@@ -1,2 +1,50 @@
+#include <cstdio>
+#include <iostream>
+
+#include <sphonic/json.hpp>
+#include <sphonic/log.hpp>
+#include <sphonic/prediction.hpp>
+#include <sphonic/registry.hpp>
+
 #include "commands.hpp"
-namespace sphonic::driver { int check(const RunOptions&) { return 0; } }
+
+namespace sphonic::driver {
+namespace {
+
+Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json check_json(const Summary& s, const Prediction& p) {
+    Json warnings = p.warnings;
+    for (const std::string& warning : s.warnings) warnings.push_back(warning);
+    return {{"title", s.title}, {"particles", s.particles}, {"tier", s.tier}, {"neighbours_mean", s.neighbours_mean},
+            {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit},
+            {"predicted", {{"l2", optional_json(p.l2)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
+                           {"memory_bytes", p.memory_bytes}, {"basis", p.basis}}},
+            {"warnings", warnings}};
+}
+
+}    // namespace
+
+int check(const RunOptions& options) {
+    Registry registry(Registry::search_path(options.plugin_path));
+    const Case scene = load_case(options.file, options.set, registry);
+    const Simulation simulation(scene);
+    const Summary& s = simulation.summary();
+    const Prediction p = predict(scene, s);
+    if (options.json) {
+        std::cout << json_text(check_json(s, p));
+        return 0;
+    }
+    const double courant = scene.medium.c0 / scene.box.dx;
+    std::printf("%s: the case is sound\n", s.title.c_str());
+    std::printf("  %ld particles, %s tier, %.1f neighbours, %ld steps\n", s.particles, s.tier.c_str(), s.neighbours_mean, s.steps);
+    std::printf("  step %.4g s (c0 dt/dx = %.4g), limit %.4g s (c0 dt/dx = %.4g)\n", s.dt, s.dt * courant, s.dt_limit, s.dt_limit * courant);
+    if (p.speed_error) std::printf("  predicted speed of long waves: %+.3g %%\n", 100 * *p.speed_error);
+    if (p.l2) std::printf("  predicted L2 error: %.3g\n", *p.l2);
+    std::printf("  predicted cost: %.3g s of CPU, %.3g MB\n", p.cpu_s, 1e-6 * p.memory_bytes);
+    for (const std::string& warning : s.warnings) log::warn(scene.file + ": " + warning);
+    for (const std::string& warning : p.warnings) log::warn(scene.file + ": " + warning);
+    return 0;
+}
+
+}    // namespace sphonic::driver

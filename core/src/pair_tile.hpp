@@ -37,11 +37,14 @@ inline void pack(const PairTile& tile, const std::vector<Packing>& fields) {
             const double fi = field.f[i];
             double* __restrict other = field.other + first;
             if (!field.own) {
+#pragma omp simd
                 for (int k = 0; k < n; ++k) other[k] = fi - field.f[j[k]];
                 continue;
             }
             double* __restrict own = field.own + first;
+#pragma omp simd
             for (int k = 0; k < n; ++k) own[k] = fi;
+#pragma omp simd
             for (int k = 0; k < n; ++k) other[k] = field.f[j[k]];
         }
     });

@@ -43,6 +43,7 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
     solver_->start(summary_.dt);
     summary_.tier = solver_->tier();
     summary_.neighbours_mean = solver_->neighbours_mean();
+    summary_.memory_bytes = solver_->memory_bytes();
     summary_.setup_s = thread_cpu_seconds() - begin;
     find_probes();
     summary_.energy_initial = summary_.energy_final = solver_->energy();

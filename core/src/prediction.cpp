@@ -1,0 +1,111 @@
+#include <sphonic/prediction.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#include <sphonic/json.hpp>
+#include <sphonic/stability.hpp>
+
+#include "eigenvalues.hpp"
+#include "mode_system.hpp"
+
+namespace sphonic {
+namespace {
+
+/// Nanoseconds per particle-step: a + b * neighbours, with one viscosity term or none. Measured on one core of an
+/// AVX-512 EPYC at 2.6 GHz with the benchmarks in tests/benchmarks; other machines differ in scale, hardly in ratio.
+struct Cost {
+    double fixed, per_neighbour, viscous;
+};
+Cost cost_of(const std::string& tier) {
+    if (tier == "lattice") return {0.3, 0.11, 0.12};
+    if (tier == "moving") return {10, 5.5, 1.0};
+    return {0.3, 0, 0};
+}
+
+std::string percent(double x) {
+    std::ostringstream text;
+    text.precision(2);
+    text << 100 * x << " %";
+    return text.str();
+}
+
+bool is_viscous(const Case& scene) {
+    for (const Variable& v : scene.equations.variables)
+        for (const Term& term : v.terms)
+            if (term.viscosity) return true;
+    return false;
+}
+
+/// Relative L2 error over 0 <= s <= c0 * until of exp(i k s) against the numerical wave of the same frequency.
+double wave_error(const Case& scene, const abi::PlaneWave& wave, double dt) {
+    constexpr int samples = 400;
+    const double k = wave.omega / scene.medium.c0, length = scene.medium.c0 * scene.until;
+    const TravellingMode mode = travelling_mode(scene, k, wave.direction, dt);
+    const double slip = k * (1 - wave.omega / mode.omega), decay = mode.decay / scene.medium.c0;
+    double sum = 0;
+    for (int i = 0; i < samples; ++i) {
+        const double s = length * (i + 0.5) / samples, amplitude = std::exp(-decay * s);
+        sum += amplitude * amplitude - 2 * amplitude * std::cos(slip * s) + 1;
+    }
+    return std::sqrt(sum / samples);
+}
+
+std::vector<const abi::PlaneWave*> waves_of(const Case& scene) {
+    std::vector<const abi::PlaneWave*> waves;
+    for (const SourceUse& use : scene.sources)
+        if (const abi::PlaneWave* wave = use.source->wave()) waves.push_back(wave);
+    return waves;
+}
+
+void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) {
+    const auto waves = waves_of(scene);
+    if (waves.empty()) return;
+    double error = 0, power = 0;
+    for (const abi::PlaneWave* wave : waves) {
+        const double e = wave_error(scene, *wave, prepared.dt), a2 = wave->amplitude * wave->amplitude;
+        error += a2 * e * e;
+        power += a2;
+        const double per_wavelength = 2 * std::acos(-1.0) * scene.medium.c0 / (wave->omega * scene.box.dx);
+        if (per_wavelength < 6)
+            out.warnings.push_back("the highest source frequency has " + Json(per_wavelength).dump() +
+                                   " points per wavelength: waves this short travel wrongly or not at all");
+    }
+    out.l2 = std::sqrt(error / power);
+    out.basis = "l2: phase and decay of the sources' waves over c0 until, viscosity at half strength, fronts without their kinks; ";
+}
+
+}    // namespace
+
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt) {
+    double vector[3] = {0, 0, 0};
+    for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
+    const Symbol A = symbol(scene, vector, 0.5);
+    const Symbol map = ModeSystem(scene, A).one_step_map(*scene.integrator, dt);
+    const std::complex<double> exact = std::polar(1.0, k * scene.medium.c0 * dt);
+    std::complex<double> best = 0;
+    for (const auto& root : eigenvalues(map.n, map.a.data()))
+        if (std::abs(root - exact) < std::abs(best - exact)) best = root;
+    return {std::arg(best) / dt, -std::log(std::abs(best)) / dt};
+}
+
+Prediction predict(const Case& scene, const Summary& prepared) {
+    Prediction out;
+    out.memory_bytes = prepared.memory_bytes;
+    const Cost cost = cost_of(prepared.tier);
+    const double per_pair = cost.per_neighbour + (is_viscous(scene) ? cost.viscous : 0);
+    out.cpu_s = 1e-9 * (cost.fixed + per_pair * prepared.neighbours_mean) * double(prepared.particles) * double(prepared.steps);
+    if (scene.method->meshfree()) {
+        const auto waves = waves_of(scene);
+        const double x_axis[3] = {1, 0, 0};
+        out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->direction) - 1;
+        if (std::abs(*out.speed_error) > 1e-3)
+            out.warnings.push_back("long waves run at the wrong speed by " + percent(*out.speed_error) +
+                                   ": refining dx at fixed h/dx will not converge. Choose another h/dx (cubic_spline: 1 or 2)");
+        predict_waves(scene, prepared, out);
+    }
+    out.basis += "cpu_s: cost per neighbour on the reference machine";
+    return out;
+}
+
+}    // namespace sphonic
