@@ -1,6 +1,8 @@
 #include <sphonic/case.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <sphonic/error.hpp>
 #include <sphonic/version.hpp>
@@ -75,6 +77,22 @@ double Case::radius() const {
     return largest;
 }
 
+bool Case::initial_values(const std::string& variable, int component, const abi::Points& points, double* out) const {
+    for (const InitialField& field : initial) {
+        if (field.variable != variable) continue;
+        double x[3] = {0, 0, 0};
+        for (int i = 0; i < points.n; ++i) {
+            for (int a = 0; a < points.dimension; ++a) x[a] = points.x[a][i];
+            out[i] = field.components[std::size_t(component)](x);
+            if (!std::isfinite(out[i]))
+                throw Error(Fault::input, file + ": /initial/" + variable, "\"" + field.components[std::size_t(component)].text() +
+                            "\" is not finite at x = " + std::to_string(x[0]), "Choose an expression that is finite in the whole box");
+        }
+        return true;
+    }
+    return false;
+}
+
 Expression::Constants constants(const Case& scene) {
     const auto& m = scene.medium;
     Expression::Constants known{{{"c0", m.c0}, {"rho0", m.rho0}, {"K", m.rho0 * m.c0 * m.c0}, {"dx", scene.box.dx}}};
@@ -97,6 +115,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     read_kernels(scene, root, registry);
     read_equations(scene, root, registry);
     read_sources(scene, root, registry);
+    read_initial(scene, root);
     read_time(scene, root, registry);
     read_results(scene, root, registry);
     check_provenance(scene, root);

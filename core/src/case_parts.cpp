@@ -84,6 +84,30 @@ void read_sources(Case& scene, Section& root, Registry& registry) {
     root.resolved["sources"] = resolved;
 }
 
+void read_initial(Case& scene, Section& root) {
+    if (!root.has("initial")) return;
+    Section section = root.child("initial", "");
+    const int d = scene.box.dimension;
+    for (const Variable& variable : scene.equations.variables) {
+        const Json* given = section.find(variable.name);
+        if (!given) continue;
+        InitialField field{.variable = variable.name};
+        const bool fits = variable.is_vector ? given->is_array() && int(given->size()) == d : given->is_string();
+        if (!fits)
+            section.fail(variable.name, shown(*given) + " does not fit this variable",
+                         variable.is_vector ? "Give a list of " + std::to_string(d) + " expressions" : "Give an expression");
+        for (int c = 0; c < variable.components(d); ++c) {
+            const Json& text = variable.is_vector ? (*given)[std::size_t(c)] : *given;
+            if (!text.is_string()) section.fail(variable.name, shown(text) + " is not an expression", "Give expressions as strings");
+            field.components.emplace_back(text.get<std::string>(), constants(scene), d, section.place(variable.name));
+        }
+        scene.initial.push_back(std::move(field));
+        section.resolved[variable.name] = *given;
+    }
+    section.finish();
+    root.resolved["initial"] = section.resolved;
+}
+
 void read_time(Case& scene, Section& root, Registry& registry) {
     Section section = root.child("integrator", "Give { \"type\": " + join(registry.names("integrator")) + " }");
     scene.integrator = read_plugin<abi::Integrator>(scene, section, registry);

@@ -37,6 +37,7 @@ void read_space(Case& scene, Section& root, Registry& registry);        // parti
 void read_kernels(Case& scene, Section& root, Registry& registry);      // kernel, kernels
 void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity
 void read_sources(Case& scene, Section& root, Registry& registry);      // sources
+void read_initial(Case& scene, Section& root);                            // initial
 void read_time(Case& scene, Section& root, Registry& registry);         // integrator, until
 void read_results(Case& scene, Section& root, Registry& registry);      // reference, output
 

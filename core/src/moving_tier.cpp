@@ -38,7 +38,8 @@ void for_tiles(const MovingSet& set, Visit visit) {
         while (tile.end < n && (tile.end == tile.begin || start[std::size_t(tile.end) + 1] - base <= pairs_per_tile))
             tile.first.push_back(int(start[std::size_t(++tile.end)] - base));
         tile.n = tile.first.back();
-        tile.j = set.list.neighbour().data() + base;
+        tile.first_run = set.list.first_run().data() + tile.begin;
+        tile.runs = set.list.runs().data();
         visit(tile);
     }
 }
@@ -52,7 +53,7 @@ public:
         weight_.resize(set.scene.kernels.size());
         own_.resize(std::size_t(set.components.count) + 1);
         other_.resize(own_.size());
-        if (set.scene.equations.density >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
+        if (set.scene.equations.density >= 0) inverse_rho_ = Array(std::size_t(set.layout.size + overrun));
     }
 
     /// Once per evaluation, before any tile.
@@ -95,7 +96,8 @@ public:
     const double* other_inverse_rho() const { return other_.back().data(); }
     /// A scratch array of the tile's length.
     double* room(Array& array) const {
-        if (long(array.size()) < tile_->n) array = Array(std::size_t(std::max<long>(tile_->n, pairs_per_tile)));
+        const long need = tile_->n + overrun;
+        if (long(array.size()) < need) array = Array(std::size_t(std::max(need, pairs_per_tile + overrun)));
         return array.data();
     }
 
@@ -173,38 +175,35 @@ private:
     /// All terms of a variable as one scalar per pair, which a vector multiplies by r_ij.
     void evaluate_variable(int v, const PairTile& tile, PairValues& pairs, const Evaluation& e) {
         double* sum = pairs.room(sum_);
-        std::fill_n(sum, tile.n, 0.0);
-        for (const Term& term : variable(v).terms) {
+        const auto& terms = variable(v).terms;
+        if (terms.empty()) std::fill_n(sum, tile.n, 0.0);
+        for (const Term& term : terms) {
+            const bool first = &term == &terms.front();
             if (term.op == Term::Operator::viscosity)
-                add_viscosity(term, pairs, sum);
+                add_viscosity(term, pairs, sum, first);
             else
-                add_derivative(term, pairs, sum);
+                add_derivative(term, pairs, sum, first);
         }
         if (!variable(v).is_vector) return row_sums(tile, sum, e.scale, e.assign, e.out[component(v)]);
         for (int a = 0; a < set_.scene.box.dimension; ++a)
             row_sums(tile, sum, pairs.r(a), e.scale, e.assign, e.out[component(v) + a]);
     }
 
-    void add_derivative(const Term& term, PairValues& pairs, double* sum) {
+    void add_derivative(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
         const auto [own, other] = coefficients(term, pairs);
         double* __restrict value = pairs.room(value_);
-        const double* __restrict weight = pairs.weight(term.kernel);
-        const int n = pairs.n();
-        if (term.op == Term::Operator::gradient) {
-            combine(n, own, other, pairs.own(component(term.operand)), pairs.other(component(term.operand)), value);
-            for (int k = 0; k < n; ++k) value[k] *= weight[k];
-        } else {
-            double* __restrict part = pairs.room(Pi_);
-            std::fill_n(value, n, 0.0);
-            for (int a = 0; a < set_.scene.box.dimension; ++a) {
-                const int c = component(term.operand) + a;
-                combine(n, own, other, pairs.own(c), pairs.other(c), part);
-                const double* __restrict r = pairs.r(a);
-                for (int k = 0; k < n; ++k) value[k] += part[k] * r[k] * weight[k];
-            }
+        const bool gradient = term.op == Term::Operator::gradient;
+        for (int a = 0; a < (gradient ? 1 : set_.scene.box.dimension); ++a) {
+            const int c = component(term.operand) + a;
+            combine(pairs.n(), own, other, pairs.own(c), pairs.other(c), gradient ? nullptr : pairs.r(a), a == 0, value);
         }
+        const double coefficient = term.coefficient;
+        const double* __restrict weight = pairs.weight(term.kernel);
         for (const Factor& factor : term.factors) multiply(value, pairs, factor);
-        for (int k = 0; k < n; ++k) sum[k] += term.coefficient * value[k];
+        if (first)
+            for (int k = 0; k < pairs.n(); ++k) sum[k] = coefficient * value[k] * weight[k];
+        else
+            for (int k = 0; k < pairs.n(); ++k) sum[k] += coefficient * value[k] * weight[k];
     }
 
     /// Per-pair coefficients; a stride of 0 in `Coefficient` stands for a uniform one.
@@ -226,32 +225,48 @@ private:
         return {{own, 1}, {other, 1}};
     }
 
+    /// value = own f_i + other f_j, times r_a and added up over the axes for a divergence.
     static void combine(int n, Coefficient own, Coefficient other, const double* __restrict fi, const double* __restrict fj,
-                        double* __restrict value) {
+                        const double* __restrict r, bool first, double* __restrict value) {
+        const auto sweep = [&](auto pair) {
+            if (!r)
+                for (int k = 0; k < n; ++k) value[k] = pair(k);
+            else if (first)
+                for (int k = 0; k < n; ++k) value[k] = pair(k) * r[k];
+            else
+                for (int k = 0; k < n; ++k) value[k] += pair(k) * r[k];
+        };
         if (own.stride == 0) {
             const double a = own.value[0], b = other.value[0];
-            for (int k = 0; k < n; ++k) value[k] = a * fi[k] + b * fj[k];
+            sweep([=](int k) { return a * fi[k] + b * fj[k]; });
         } else {
-            const double *__restrict a = own.value, *__restrict b = other.value;
-            for (int k = 0; k < n; ++k) value[k] = a[k] * fi[k] + b[k] * fj[k];
+            const double *a = own.value, *b = other.value;
+            sweep([=](int k) { return a[k] * fi[k] + b[k] * fj[k]; });
         }
     }
 
     void multiply(double* __restrict value, PairValues& pairs, const Factor& factor) const {
         const bool inverse = factor.power < 0, density = factor.variable == set_.scene.equations.density;
         const double* __restrict f = inverse && density ? pairs.own_inverse_rho() : pairs.own(component(factor.variable));
-        for (int p = 0; p < std::abs(factor.power); ++p)
-            for (int k = 0; k < pairs.n(); ++k) value[k] = inverse && !density ? value[k] / f[k] : value[k] * f[k];
+        const int n = pairs.n();
+        for (int p = 0; p < std::abs(factor.power); ++p) {
+            if (inverse && !density)
+                for (int k = 0; k < n; ++k) value[k] /= f[k];
+            else
+                for (int k = 0; k < n; ++k) value[k] *= f[k];
+        }
     }
 
-    void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum) {
+    void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
         const int n = pairs.n(), rho = set_.scene.equations.density;
         double* __restrict u_dot_r = pairs.room(u_dot_r_);
-        std::fill_n(u_dot_r, n, 0.0);
         for (int a = 0; a < set_.scene.box.dimension; ++a) {
             const int c = component(term.operand) + a;
             const double *__restrict ui = pairs.own(c), *__restrict uj = pairs.other(c), *__restrict r = pairs.r(a);
-            for (int k = 0; k < n; ++k) u_dot_r[k] += (ui[k] - uj[k]) * r[k];
+            if (a == 0)
+                for (int k = 0; k < n; ++k) u_dot_r[k] = (ui[k] - uj[k]) * r[k];
+            else
+                for (int k = 0; k < n; ++k) u_dot_r[k] += (ui[k] - uj[k]) * r[k];
         }
         abi::PairBlock block{.n = n, .u_dot_r = u_dot_r, .r2 = pairs.r2()};
         block.h = set_.scene.kernels[std::size_t(term.kernel)].h;
@@ -267,7 +282,10 @@ private:
         term.viscosity->pairs(block, Pi);
         const double* __restrict slope = pairs.slope(term.kernel);
         const double mass = set_.mass;
-        for (int k = 0; k < n; ++k) sum[k] -= mass * slope[k] * Pi[k];
+        if (first)
+            for (int k = 0; k < n; ++k) sum[k] = -mass * slope[k] * Pi[k];
+        else
+            for (int k = 0; k < n; ++k) sum[k] -= mass * slope[k] * Pi[k];
     }
 };
 

@@ -133,11 +133,28 @@ void NeighbourList::build(const double* const* x) {
     };
     start_.assign(std::size_t(n_ + 1), 0);
     for_neighbours([&](std::int32_t i, std::int32_t) { ++start_[std::size_t(i) + 1]; });
-    longest_ = *std::max_element(start_.begin(), start_.end());
     for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
     neighbour_.resize(std::size_t(start_.back()));
     std::vector<std::int64_t> next(start_.begin(), start_.end() - 1);
     for_neighbours([&](std::int32_t i, std::int32_t j) { neighbour_[std::size_t(next[std::size_t(i)]++)] = j; });
+    for (std::size_t i = 0; i + 1 < start_.size(); ++i) std::sort(neighbour_.begin() + start_[i], neighbour_.begin() + start_[i + 1]);
+    find_runs();
+}
+
+void NeighbourList::find_runs() {
+    runs_.clear();
+    first_run_.assign(1, 0);
+    for (long i = 0; i < n_; ++i) {
+        for (std::int64_t k = start_[std::size_t(i)]; k < start_[std::size_t(i) + 1]; ++k) {
+            const std::int32_t j = neighbour_[std::size_t(k)];
+            const bool continues = k > start_[std::size_t(i)] && neighbour_[std::size_t(k) - 1] + 1 == j;
+            if (continues)
+                ++runs_.back().count;
+            else
+                runs_.push_back({j, 1});
+        }
+        first_run_.push_back(std::int64_t(runs_.size()));
+    }
 }
 
 double NeighbourList::mean_within_radius(const double* const* x) const {
@@ -156,7 +173,7 @@ double NeighbourList::mean_within_radius(const double* const* x) const {
 }
 
 double NeighbourList::bytes() const {
-    return 8.0 * double(start_.size()) + 4.0 * double(neighbour_.size()) + 8.0 * double(n_ * box_.dimension);
+    return 16.0 * double(start_.size()) + 4.0 * double(neighbour_.size()) + 8.0 * double(runs_.size()) + 8.0 * double(n_ * box_.dimension);
 }
 
 }    // namespace sphonic

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lanes.hpp"
+#include "neighbour_list.hpp"
 #include "store.hpp"
 
 namespace sphonic {
@@ -12,7 +14,8 @@ struct PairTile {
     long begin = 0, end = 0;    ///< particles
     int n = 0;                  ///< pairs
     std::vector<int> first;     ///< [end - begin + 1]
-    const std::int32_t* j = nullptr;
+    const std::int64_t* first_run = nullptr;    ///< of particle `begin`
+    const Run* runs = nullptr;                  ///< of the whole set
 
     /// Calls row(particle, first pair, end of pairs).
     template <class Row>
@@ -28,24 +31,23 @@ struct Packing {
     double* other;
 };
 
-/// Packs all fields row by row, so that the indices of a row are read once.
+/// Packs all fields row by row. Runs of consecutive neighbours are copied by whole vectors: what a copy writes beyond its
+/// run the next one overwrites, so fields and packed arrays have room for `overrun` more values.
 inline void pack(const PairTile& tile, const std::vector<Packing>& fields) {
+    const std::int64_t* first_run = tile.first_run;
     tile.for_rows([&](long i, int first, int last) {
-        const std::int32_t* __restrict j = tile.j + first;
-        const int n = last - first;
+        const Run *begin = tile.runs + first_run[0], *end = tile.runs + first_run[1];
+        ++first_run;
         for (const Packing& field : fields) {
             const double fi = field.f[i];
-            double* __restrict other = field.other + first;
-            if (!field.own) {
-#pragma omp simd
-                for (int k = 0; k < n; ++k) other[k] = fi - field.f[j[k]];
-                continue;
-            }
-            double* __restrict own = field.own + first;
-#pragma omp simd
-            for (int k = 0; k < n; ++k) own[k] = fi;
-#pragma omp simd
-            for (int k = 0; k < n; ++k) other[k] = field.f[j[k]];
+            const Lane own = fi - Lane{};
+            double* other = field.other + first;
+            for (const Run* run = begin; run != end; other += run++->count)
+                for (int m = 0; m < run->count; m += lanes) {
+                    const Lane value = load(field.f + run->j + m);
+                    store(other + m, field.own ? value : own - value);
+                }
+            for (int k = first; field.own && k < last; k += lanes) store(field.own + k, own);
         }
     });
 }

@@ -6,6 +6,8 @@
 
 #include <sphonic/error.hpp>
 
+#include "lanes.hpp"
+
 namespace sphonic {
 
 Components::Components(const Equations& equations, int dimension, bool moving) {
@@ -44,7 +46,7 @@ ParticleSystem::ParticleSystem(const Case& scene)
 void ParticleSystem::place_particles() {
     double* x[3] = {};
     for (int a = 0; a < scene_.box.dimension; ++a) {
-        x_[a].resize(std::size_t(scene_.arrangement->size(scene_.box)));
+        x_[a].resize(std::size_t(scene_.arrangement->size(scene_.box) + overrun));
         x[a] = x_[a].data();
     }
     scene_.arrangement->place(scene_.box, x);
@@ -210,7 +212,7 @@ void ParticleSystem::impose(Members& members, double t, bool pressure, bool velo
     }
     out.p = pressure ? members.p.data() : nullptr;
     members.source->evaluate(t, points, out);
-    if (pressure) set_pressure(members);
+    if (pressure) set_scalar(scene_.equations.find("p"), members.at, members.p);
     const int u = scene_.equations.find("u");
     for (int a = 0; velocity && a < scene_.box.dimension; ++a) {
         double* field_a = store_.array(abi::state, components_.first[std::size_t(u)] + a);
@@ -218,21 +220,37 @@ void ParticleSystem::impose(Members& members, double t, bool pressure, bool velo
     }
 }
 
-/// Sets p, or, where p is algebraic, the evolved variable that it is computed from.
-void ParticleSystem::set_pressure(Members& members) {
+/// Sets a scalar, or, where it is algebraic, the evolved variable that it is computed from.
+void ParticleSystem::set_scalar(int v, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value) {
     const auto& variables = scene_.equations.variables;
-    std::vector<double>& value = members.p;
-    int v = scene_.equations.find("p");
     for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of)
         variables[std::size_t(v)].state->invert(scene_.medium, int(value.size()), value.data(), value.data());
     double* target = store_.array(abi::state, components_.first[std::size_t(v)]);
-    for (std::size_t i = 0; i < members.at.size(); ++i) target[members.at[i]] = value[i];
+    for (std::size_t i = 0; i < at.size(); ++i) target[at[i]] = value[i];
+}
+
+void ParticleSystem::set_initial_fields() {
+    const auto at = field_indices(layout());
+    std::vector<double> value(at.size());
+    const abi::Points points{scene_.box.dimension, int(at.size()), {x_[0].data(), x_[1].data(), x_[2].data()}};
+    for (const InitialField& field : scene_.initial) {
+        const int v = scene_.equations.find(field.variable);
+        const int components = scene_.equations.variables[std::size_t(v)].components(scene_.box.dimension);
+        for (int c = 0; c < components; ++c) {
+            scene_.initial_values(field.variable, c, points, value.data());
+            if (components == 1)
+                set_scalar(v, at, value);
+            else
+                scatter(layout(), value.data(), store_.array(abi::state, components_.first[std::size_t(v)] + c));
+        }
+    }
 }
 
 void ParticleSystem::initialise() {
     if (moving())
         for (int a = 0; a < scene_.box.dimension; ++a)
             scatter(layout(), x_[a].data(), store_.array(abi::state, components_.positions + a));
+    set_initial_fields();
     for (Members& members : members_)
         impose(members, 0, false, members.source->imposed().velocity_at_start);
     settle(abi::everything, 0);

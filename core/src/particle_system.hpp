@@ -23,7 +23,7 @@ public:
     void axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) override;
     void settle(abi::Group group, double t) override;
 
-    /// Initial state at t = 0: sources' pressure and velocity, everything else at rest.
+    /// Initial state at t = 0: the case's initial fields, sources' pressure and velocity, everything else at rest.
     void initialise();
 
     const Tier& tier() const { return *tier_; }
@@ -73,7 +73,8 @@ private:
     Part& part(abi::Group group);
     void evaluate(Part& part, abi::Slot out, double scale, bool assign);
     void impose(Members& members, double t, bool pressure, bool velocity);
-    void set_pressure(Members& members);
+    void set_scalar(int variable, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value);
+    void set_initial_fields();
     void refresh_algebraic(const Part& changed);
 };
 

@@ -14,6 +14,9 @@ SceneView::SceneView(const Case& c) {
     };
     for (const SourceUse& use : c.sources) sources.push_back({use.source.get(), inside, &use.region});
     scene = {.box = c.box, .medium = c.medium, .until = c.until, .sources = sources.data(), .source_count = int(sources.size())};
+    scene.initial = [](const void* host, const char* field, int axis, const abi::Points& points, double* out) {
+        return static_cast<const Case*>(host)->initial_values(field, axis, points, out);
+    };
     scene.particles = [](const void* host) { return make_particle_solver(*static_cast<const Case*>(host)); };
     scene.host = &c;
 }

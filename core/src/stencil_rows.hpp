@@ -2,8 +2,9 @@
 /// The inner loops of the lattice tier: antisymmetric stencils over one row of particles, in registers.
 
 #include <cstddef>
-#include <cstring>
 #include <vector>
+
+#include "lanes.hpp"
 
 namespace sphonic {
 
@@ -18,16 +19,6 @@ struct FoldedTap {
     std::ptrdiff_t at;
     double weight;
 };
-
-inline constexpr int lanes = 8;
-using Lane = double __attribute__((vector_size(8 * lanes)));
-
-inline Lane load(const double* p) {
-    Lane v;
-    std::memcpy(&v, p, sizeof v);
-    return v;
-}
-inline void store(double* p, Lane v) { std::memcpy(p, &v, sizeof v); }
 
 /// Gradient of one field: D sums of `V` vectors each, kept in registers over all pairs.
 template <int D, int V>

@@ -1,7 +1,8 @@
 #include "store.hpp"
 
 #include <algorithm>
-#include <cstring>
+
+#include "lanes.hpp"
 
 namespace sphonic {
 
@@ -10,12 +11,12 @@ Array::Array(std::size_t n) : data_(new (std::align_val_t(64)) double[n]()), siz
 Layout Layout::flat(long n) {
     Layout layout;
     layout.count[0] = n;
-    layout.size = n;
+    layout.size = n + overrun;
     return layout;
 }
 
 Layout Layout::grid(const abi::Box& box, long reach) {
-    constexpr long line = 8;    // doubles in a cache line and in the widest vector
+    constexpr long line = lanes;    // a cache line holds as many doubles as the widest vector
     Layout layout;
     layout.dimension = box.dimension;
     for (int a = 0; a < box.dimension; ++a) {

@@ -41,8 +41,13 @@ bool has_printed(const Study& study) {
     return std::ranges::any_of(study.points, [](const StudyPoint& point) { return point.printed.has_value(); });
 }
 
+bool has_family(const Study& study) {
+    return std::ranges::any_of(study.points, [](const StudyPoint& point) { return !point.family.empty(); });
+}
+
 Row heading(const Study& study) {
     Row row;
+    if (has_family(study)) row.push_back("family");
     for (const StudyDimension& dimension : study.vary) row.push_back(dimension.name);
     for (const std::string& name : shown_measures(study)) row.push_back(name.substr(name.find('.') + 1));
     if (has_printed(study)) row.insert(row.end(), {"printed", "ours / printed"});
@@ -52,6 +57,7 @@ Row heading(const Study& study) {
 
 Row line(const Study& study, const StudyPoint& point, const StudyResult& result) {
     Row row;
+    if (has_family(study)) row.push_back(point.family);
     for (const Json& label : point.labels) row.push_back(label_text(label));
     const std::size_t first = row.size();
     for (const std::string& name : shown_measures(study)) row.push_back(readable(measured(result, name)));
@@ -109,7 +115,7 @@ std::string study_markdown(const Study& study, const std::vector<StudyResult>& r
     if (!study.description.empty()) text += study.description + "\n\n";
     std::vector<Row> rows{heading(study)};
     for (std::size_t i = 0; i < results.size(); ++i) rows.push_back(line(study, study.points[i], results[i]));
-    text += markdown(rows, study.vary.size()) + "\n";
+    text += markdown(rows, study.vary.size() + has_family(study)) + "\n";
     for (std::size_t i = 0; i < results.size(); ++i)
         if (results[i].status != StudyResult::Status::done)
             text += "- " + study.points[i].name + " " + status_name(results[i].status) + ": " + results[i].why + "\n";

@@ -30,6 +30,7 @@ public:
 
     void start(double dt) override {
         dt_ = dt;
+        set_initial_fields();
         for (Placed& source : sources_) {
             impose_pressure(source, 0);
             for (int a = 0; a < d_; ++a) impose_velocity(source, a, -dt / 2);
@@ -142,21 +143,27 @@ private:
         for_lines(axis, [&](long at) { u_[axis][std::size_t(at + (n_[axis] - 1) * stride_[axis])] = 0; });
     }
 
-    Grid members(const abi::PlacedSource& placed, int staggered) const {
-        Grid all, kept;
-        std::size_t k = 0;
+    /// The grid's points; those of u_a lie half a spacing further along axis `staggered`.
+    Grid all_points(int staggered) const {
+        Grid all;
         const abi::Box& box = scene_.box;
         for (long z = 0; z < n_[2]; ++z)
             for (long y = 0; y < n_[1]; ++y)
-                for (long x = 0; x < n_[0]; ++x, ++k) {
+                for (long x = 0; x < n_[0]; ++x) {
                     const long site[3] = {x, y, z};
                     all.at.push_back(std::size_t(origin_ + x + y * stride_[1] + z * stride_[2]));
                     for (int a = 0; a < d_; ++a)
                         all.x[a].push_back(box.lower[a] + (double(site[a]) + (a == staggered ? 0.5 : 0)) * box.dx);
                 }
-        std::vector<unsigned char> inside(k);
+        all.value.resize(all.at.size());
+        return all;
+    }
+    Grid members(const abi::PlacedSource& placed, int staggered) const {
+        const Grid all = all_points(staggered);
+        Grid kept;
+        std::vector<unsigned char> inside(all.at.size());
         placed.inside(placed.region, points(all), inside.data());
-        for (std::size_t i = 0; i < k; ++i) {
+        for (std::size_t i = 0; i < all.at.size(); ++i) {
             if (!inside[i]) continue;
             kept.at.push_back(all.at[i]);
             for (int a = 0; a < d_; ++a) kept.x[a].push_back(all.x[a][i]);
@@ -185,17 +192,28 @@ private:
         source.source->evaluate(t, points(grid), out);
         for (std::size_t i = 0; i < grid.at.size(); ++i) u_[axis][grid.at[i]] = grid.value[i];
     }
+    /// p and u at t = 0; u then goes back by half a step, to where the scheme keeps it.
+    void set_initial_fields() {
+        Grid nodes = all_points(-1);
+        if (scene_.initial(scene_.host, "p", 0, points(nodes), nodes.value.data()))
+            for (std::size_t i = 0; i < nodes.at.size(); ++i) p_[nodes.at[i]] = nodes.value[i];
+        dt_ *= -0.5;
+        kick();
+        dt_ *= -2;
+        for (int a = 0; a < d_; ++a) {
+            Grid faces = all_points(a);
+            if (scene_.initial(scene_.host, "u", a, points(faces), faces.value.data()))
+                for (std::size_t i = 0; i < faces.at.size(); ++i) u_[a][faces.at[i]] += faces.value[i];
+        }
+    }
     void fill_points() {
         if (!shown_p_.empty()) return;
-        shown_p_.resize(std::size_t(n_[0] * n_[1] * n_[2]));
-        for (int a = 0; a < d_; ++a) x_[a].resize(shown_p_.size()), shown_u_[a].resize(shown_p_.size());
-        std::size_t k = 0;
-        for (long z = 0; z < n_[2]; ++z)
-            for (long y = 0; y < n_[1]; ++y)
-                for (long x = 0; x < n_[0]; ++x, ++k) {
-                    const long site[3] = {x, y, z};
-                    for (int a = 0; a < d_; ++a) x_[a][k] = scene_.box.lower[a] + double(site[a]) * scene_.box.dx;
-                }
+        Grid nodes = all_points(-1);
+        shown_p_.resize(nodes.at.size());
+        for (int a = 0; a < d_; ++a) {
+            x_[a] = std::move(nodes.x[a]);
+            shown_u_[a].resize(shown_p_.size());
+        }
     }
 };
 

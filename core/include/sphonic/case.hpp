@@ -27,6 +27,12 @@ struct SourceUse {
     std::string place;    ///< of the region, for messages
 };
 
+/// A variable's values at t = 0, one expression per component.
+struct InitialField {
+    std::string variable;
+    std::vector<Expression> components;
+};
+
 /// The asked-for step: exactly one of the three.
 struct StepChoice {
     std::optional<double> dt;         ///< [s]
@@ -59,6 +65,7 @@ struct Case {
     std::vector<KernelUse> kernels;
     Equations equations;
     std::vector<SourceUse> sources;
+    std::vector<InitialField> initial;
     std::unique_ptr<abi::Integrator> integrator;
     std::string integrator_name;
     StepChoice step;
@@ -74,6 +81,8 @@ struct Case {
     std::shared_ptr<const Json> source_text;
     std::vector<std::shared_ptr<const Json>> presets;
 
+    /// Initial values of a variable's component at points; false, and nothing written, if the case gives none.
+    bool initial_values(const std::string& variable, int component, const abi::Points& points, double* out) const;
     /// Largest interaction radius of the kernels [m].
     double radius() const;
 };

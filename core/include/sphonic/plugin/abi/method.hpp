@@ -48,6 +48,8 @@ struct Scene {
     double until = 0;    ///< [s]
     const PlacedSource* sources = nullptr;
     int source_count = 0;
+    /// Initial values of a field ("p", or component `axis` of "u") at points; false, and nothing written, if the case gives none.
+    bool (*initial)(const void* host, const char* field, int axis, const Points& points, double* out) = nullptr;
     /// The runtime's particle solver for this scene.
     std::unique_ptr<Solver> (*particles)(const void* host) = nullptr;
     const void* host = nullptr;

@@ -1,0 +1,112 @@
+#include "../support/scene.hpp"
+
+using namespace sphonic;
+using namespace sphonic::testing;
+
+namespace {
+
+const std::string viscosity = R"(/viscosity={"type":"monaghan","alpha":0.5,"beta":0.5})";
+
+/// A sound without symmetry, resolved by some ten particles.
+std::vector<std::string> sound(int dimension) {
+    const std::string y = dimension > 1 ? "*cos(2*pi*y)" : "", z = dimension > 2 ? "*cos(2*pi*z)" : "";
+    std::string u = R"("0.1*sin(2*pi*x))" + y + z + "\"";
+    for (int a = 1; a < dimension; ++a) u += R"(,"0.05*cos(4*pi*x))" + y + "\"";
+    return {"/initial/p=exp(sin(2*pi*x))" + y + z, "/initial/u=[" + u + "]"};
+}
+
+Profile final_state(int dimension, int n, std::vector<std::string> set) {
+    const auto fields = sound(dimension);
+    set.insert(set.begin(), fields.begin(), fields.end());
+    const Case c = scene(periodic_box(dimension, n), set);
+    Simulation simulation(c);
+    simulation.run();
+    return simulation.profile();
+}
+
+double largest_difference(const Profile& a, const Profile& b) {
+    double worst = 0;
+    for (std::size_t i = 0; i < a.p.size(); ++i) worst = std::max(worst, std::abs(a.p[i] - b.p[i]));
+    return worst;
+}
+
+}    // namespace
+
+TEST_CASE("stencil and neighbour list agree to round-off on a frozen lattice", "[tiers]") {
+    for (const int d : {1, 2, 3})
+        for (const char* boundary : {"free", "periodic"})
+            for (const char* form : {"sum", "symmetric", "difference"})
+                for (const bool viscous : {false, true}) {
+                    std::vector<std::string> set{
+                        std::string(R"(/boundaries=[{"type":")") + boundary + R"(","face":"all"}])", "/kernel/h_over_dx=1.3",
+                        std::string(R"(/equations={"p":[{"divergence":"u","form":"difference","times":"-rho0*c0^2"}],"u":[{"gradient":"p","form":")") +
+                            form + R"(","times":"-1/rho0"}]})"};
+                    if (viscous) set.push_back(viscosity);
+                    set.push_back(d == 3 ? "/until=0.06" : "/until=0.2");
+                    const int n = d == 3 ? 11 : 21;
+                    const Profile lattice = final_state(d, n, set);
+                    set.push_back("/particles/neighbours=moving");
+                    const Profile moving = final_state(d, n, set);
+                    INFO(d << "-D, " << boundary << ", " << form << (viscous ? ", viscous" : ""));
+                    CHECK(largest_difference(lattice, moving) < 1e-12);
+                }
+}
+
+TEST_CASE("equations with a current density agree between stencil and list where densities hardly change", "[tiers]") {
+    const std::vector<std::string> set{"/equations=lagrangian_acoustics", "/kernel/h_over_dx=1.3", "/initial={\"p\":\"1e-6*sin(2*pi*x)\"}"};
+    const Case frozen = scene(periodic_box(1, 30), set);
+    auto other = set;
+    other.push_back("/particles/neighbours=moving");
+    const Case listed = scene(periodic_box(1, 30), other);
+    Simulation a(frozen), b(listed);
+    a.run();
+    b.run();
+    CHECK(largest_difference(a.profile(), b.profile()) < 1e-12);    // differs by amplitude^2 / (rho0 c0^2)
+}
+
+TEST_CASE("the staggered energy of an adjoint pair is constant to round-off", "[energy]") {
+    for (const char* integrator : {"symplectic_euler", "velocity_verlet"})
+        for (const int d : {1, 2, 3})
+            for (const char* boundary : {"free", "periodic"}) {
+                std::vector<std::string> set = sound(d);
+                set.insert(set.end(), {std::string("/integrator/type=") + integrator, "/kernel/h_over_dx=1.3",
+                                       std::string(R"(/boundaries=[{"type":")") + boundary + R"(","face":"all"}])", "/until=0.5"});
+                const Summary s = run(scene(periodic_box(d, d == 3 ? 11 : 21), set));
+                INFO(integrator << ", " << d << "-D, " << boundary);
+                CHECK(s.energy_final == Approx(s.energy_initial).epsilon(1e-12));
+            }
+}
+
+TEST_CASE("viscosity takes energy away and never gives any", "[energy]") {
+    for (const int d : {1, 2}) {
+        std::vector<std::string> set = sound(d);
+        set.insert(set.end(), {viscosity, "/kernel/h_over_dx=1.3", "/until=0.5"});
+        const Summary s = run(scene(periodic_box(d, 21), set));
+        CHECK(s.energy_final < 0.99 * s.energy_initial);
+        CHECK(s.energy_final > 0);
+    }
+}
+
+TEST_CASE("a moving lattice with a uniform velocity carries its sound along", "[moving]") {
+    // Galilean invariance: all particles drift at 0.3 m/s, their pressures are those of the set at rest
+    const auto pressures = [](const char* drift) {
+        const Case c = scene(periodic_box(1, 40), {"/particles/motion=lagrangian", "/kernel/h_over_dx=1.3", "/initial/p=1e-4*sin(2*pi*x)",
+                                                   std::string("/initial/u=[\"") + drift + "\"]"});
+        Simulation simulation(c);
+        simulation.run();
+        return simulation.profile();
+    };
+    const Profile still = pressures("0"), drifting = pressures("0.3");
+    CHECK(largest_difference(still, drifting) < 1e-13);
+    CHECK(drifting.x[0][0] == Approx(0.3 * 0.25).epsilon(1e-3));
+}
+
+TEST_CASE("a case run from its resolved form gives the same bits", "[resolved]") {
+    const Case first = repository_case("li2015/propagation", {"/until=0.004"});
+    const Case second = load_case(*first.resolved, first.file, registry());
+    Simulation a(first), b(second);
+    a.run();
+    b.run();
+    CHECK(a.profile().p == b.profile().p);
+    CHECK(*first.resolved == *second.resolved);
+}
