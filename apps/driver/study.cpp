@@ -40,7 +40,7 @@ private:
     bool drawn_ = false;
 
     static std::string counted(const StudyProgress& p) {
-        return std::to_string(p.index + 1) + "/" + std::to_string(p.total) + " " + p.point.name;
+        return std::to_string(p.index + 1) + "/" + std::to_string(p.total) + " " + p.point.full_name();
     }
 
     static std::string outcome(const StudyResult& result) {

@@ -39,15 +39,18 @@ inline void pack(const PairTile& tile, const std::vector<Packing>& fields) {
         const Run *begin = tile.runs + first_run[0], *end = tile.runs + first_run[1];
         ++first_run;
         for (const Packing& field : fields) {
-            const double fi = field.f[i];
-            const Lane own = fi - Lane{};
+            const Lane own = field.f[i] - Lane{};
             double* other = field.other + first;
-            for (const Run* run = begin; run != end; other += run++->count)
-                for (int m = 0; m < run->count; m += lanes) {
-                    const Lane value = load(field.f + run->j + m);
-                    store(other + m, field.own ? value : own - value);
-                }
-            for (int k = first; field.own && k < last; k += lanes) store(field.own + k, own);
+            const auto copy = [&](auto value) {
+                for (const Run* run = begin; run != end; other += run++->count)
+                    for (int m = 0; m < run->count; m += lanes) store(other + m, value(load(field.f + run->j + m)));
+            };
+            if (!field.own) {
+                copy([&](Lane f) { return own - f; });
+                continue;
+            }
+            copy([](Lane f) { return f; });
+            for (int k = first; k < last; k += lanes) store(field.own + k, own);
         }
     });
 }

@@ -65,10 +65,15 @@ Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<
 Chart cost_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
     std::vector<CostPoint> points;
     for (std::size_t i = 0; i < results.size(); ++i) {
-        const std::string family = label_text(at_place(study, study.points[i], wish.group));
-        points.push_back({study.points[i].name, family, measured(results[i], "cpu_s"), measured(results[i], wish.y)});
+        const double y = measured(results[i], wish.y);
+        CostPoint point{study.points[i].name, label_text(at_place(study, study.points[i], wish.group)),
+                        measured(results[i], "cpu_s"), y < wish.y_floor ? wish.y_floor : y};
+        if (y < wish.y_floor) point.label += ": " + readable(y);
+        points.push_back(std::move(point));
     }
-    return speed_accuracy_chart(wish.title, points, wish.x_label, wish.y_label);
+    Chart chart = speed_accuracy_chart(wish.title, points, wish.x_label, wish.y_label);
+    if (wish.y_floor > 0) chart.panels[0].y.lower = 0.7 * wish.y_floor;
+    return chart;
 }
 
 }    // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <sphonic/error.hpp>
 #include <sphonic/nearest.hpp>
@@ -129,7 +130,11 @@ StudyChart read_chart(const Study& study, Section section) {
     chart.title = section.text("title", study.title);
     chart.x_label = section.text("x_label", cost ? measure("cpu_s").label : chart.x.substr(chart.x.rfind('/') + 1));
     chart.y_label = section.text("y_label", measure(chart.y).label);
-    if (!cost) {
+    if (cost) {
+        const abi::ParameterInfo floor =
+            real_row("y_floor", "1", 0, std::numeric_limits<double>::max(), "least value drawn");
+        chart.y_floor = section.real(floor);
+    } else {
         chart.x_log = read_flag(section, "x_log");
         chart.y_log = read_flag(section, "y_log");
         check_curves(study, chart, section);

@@ -28,6 +28,9 @@ std::string label_text(const Json& label);
 /// The labels of dimensions with several values, but for one dimension, with commas.
 std::string joined_labels(const Study& study, const std::vector<Json>& labels, const std::string& but = {});
 
+/// Four digits, small numbers as 2.574e-4; empty where there is no number.
+std::string readable(double x);
+
 const char* status_name(StudyResult::Status status);
 
 /// Crosses the dimensions and makes each point's case.

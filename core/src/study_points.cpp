@@ -64,7 +64,7 @@ StudyPoint labelled(const Study& study, const Choice& choice) {
         point.labels.push_back(value->label);
         if (!value->family.empty()) point.family = value->family;
     }
-    point.name = joined_labels(study, point.labels);
+    point.full_name() = joined_labels(study, point.labels);
     return point;
 }
 

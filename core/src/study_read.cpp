@@ -56,7 +56,7 @@ void add_value(StudyDimension& dimension, const Section& section, const Json& gi
     else
         value = {.label = given, .family = {}, .scene = {}, .remove = {}, .set = {{pointer, given}}};
     for (const StudyValue& other : dimension.values)
-        if (label_text(other.label) == label_text(value.label))
+        if (other.family == value.family && label_text(other.label) == label_text(value.label))
             throw Error(Fault::input, section.file() + ": " + at,
                         "the label \"" + label_text(value.label) + "\" is given twice", "Label each value differently");
     dimension.values.push_back(std::move(value));

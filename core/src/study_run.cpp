@@ -32,7 +32,7 @@ void check_points(const Study& study, Registry& registry) {
                 throw Error(Fault::input, scene.file + ": /reference", "is missing",
                             "Errors need something to compare with");
         } catch (const Error& e) {
-            throw Error(e.fault, point_place(study, i, study.points.size(), point.name), e.what());
+            throw Error(e.fault, point_place(study, i, study.points.size(), point.full_name()), e.what());
         }
     }
 }

@@ -17,15 +17,6 @@ std::string formatted(const char* format, double x) {
     return text;
 }
 
-/// Four digits; small numbers as 2.574e-4.
-std::string readable(double x) {
-    if (!std::isfinite(x)) return "";
-    if (x == 0 || std::abs(x) >= 0.01) return formatted("%.4g", x);
-    std::string text = formatted("%.3e", x);
-    const std::size_t exponent = text.find("e-0");
-    return exponent == std::string::npos ? text : text.erase(exponent + 2, 1);
-}
-
 std::string with_digits(double x, const char* format) { return std::isfinite(x) ? formatted(format, x) : ""; }
 
 /// The study's measure, then what its charts show besides CPU time.
@@ -110,6 +101,14 @@ std::string exact(double x) { return std::isfinite(x) ? Json(x).dump() : ""; }
 
 }    // namespace
 
+std::string readable(double x) {
+    if (!std::isfinite(x)) return "";
+    if (x == 0 || std::abs(x) >= 0.01) return formatted("%.4g", x);
+    std::string text = formatted("%.3e", x);
+    const std::size_t exponent = text.find("e-0");
+    return exponent == std::string::npos ? text : text.erase(exponent + 2, 1);
+}
+
 std::string study_markdown(const Study& study, const std::vector<StudyResult>& results) {
     std::string text = "# " + study.title + "\n\n";
     if (!study.description.empty()) text += study.description + "\n\n";
@@ -118,7 +117,8 @@ std::string study_markdown(const Study& study, const std::vector<StudyResult>& r
     text += markdown(rows, study.vary.size() + has_family(study)) + "\n";
     for (std::size_t i = 0; i < results.size(); ++i)
         if (results[i].status != StudyResult::Status::done)
-            text += "- " + study.points[i].name + " " + status_name(results[i].status) + ": " + results[i].why + "\n";
+            text += "- " + study.points[i].full_name() + " " + status_name(results[i].status) + ": " + results[i].why +
+                    "\n";
     if (!study.source.empty()) text += "Printed: " + study.source + ". ";
     return text + "CPU time is that of stepping. sphonic " + version() + " (" + commit() + ").\n";
 }

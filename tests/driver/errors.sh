@@ -3,7 +3,10 @@
 #
 #   errors.sh DRIVER REPOSITORY
 #
+# refused, refused_like, refused_edit, refused_text: a case that check and run must both refuse in the same words.
+# misused: a command line. *_like and misused take a pattern, the others the whole message.
 # A new row of a table is one line. All rows start from the case below, which runs without a word on stderr.
+# shellcheck disable=SC2015,SC2016,SC2059  # ok and failed always succeed; JSON in quotes; texts are formats
 set -euo pipefail
 
 driver=$(readlink -f -- "$1")
@@ -184,6 +187,10 @@ misused 2 '--set: "/until" has no "=". Write /pointer=value' check case.json --s
 misused 2 '--set: "until" does not point to a member. *' check case.json --set until=1
 misused 2 'describe: there is no plugin kind "colour". Known: *' describe colour blue
 misused 2 'describe: there is no kernel named "cubic_splin". Did you mean "cubic_spline"?' describe kernel cubic_splin
+
+code=0
+"$driver" check case.json >/dev/full 2>err || code=$?
+[[ $code == 5 ]] && ok "a result that cannot be written is an error" || failed "a result that cannot be written is an error" "exit code: $code, expected 5"
 
 echo "--- and what is right"
 sphonic check case.json

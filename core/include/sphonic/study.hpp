@@ -36,6 +36,7 @@ struct StudyChart {
         group;    ///< the place that names the curve; empty: the dimensions other than x that have several values
     std::string x_label, y_label;
     bool x_log = false, y_log = false;
+    double y_floor = 0;    ///< of a cost chart: what lies below is drawn here, with its value in its label
 };
 
 /// One run of the matrix, as asked for.
@@ -45,7 +46,8 @@ struct StudyPoint {
     std::string family;
     std::filesystem::path file;    ///< of its case
     Json removed = Json::array(), set = Json::object();
-    Json document;                    ///< the case with these changes and the overrides
+    Json document;    ///< the case with these changes and the overrides
+    std::string full_name() const { return family.empty() ? name : family + ": " + name; }
     std::optional<double> printed;    ///< what a publication gives for the study's measure
 };
 
