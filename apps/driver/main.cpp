@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <iostream>
 
 #include <sphonic/error.hpp>
@@ -64,6 +65,16 @@ int main(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
+        std::cout.flush();
+        if (!std::cout || std::fflush(stdout) != 0)
+            throw sphonic::Error(sphonic::Fault::io, "stdout", "the result cannot be written", "Check where it goes");
+    } catch (const CLI::RequiredError& e) {
+        if (!app.get_subcommands().empty() || argc < 2 || argv[1][0] == '-') {
+            app.exit(e, std::cout, std::cerr);
+            return int(sphonic::Fault::input);
+        }
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, list, describe");
+        return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);
     } catch (const sphonic::Error& e) {

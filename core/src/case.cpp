@@ -27,7 +27,7 @@ void read_medium(Case& scene, Section& root) {
 
 void read_dimension(Case& scene, Section& root) {
     const Json& d = root.need("dimension", "Give 1, 2 or 3");
-    if (!d.is_number_integer() || d.get<int>() < 1 || d.get<int>() > 3)
+    if (!d.is_number_integer() || d.get<double>() < 1 || d.get<double>() > 3)
         root.fail("dimension", shown(d) + " is not a dimension", "Give 1, 2 or 3");
     scene.box.dimension = d.get<int>();
     root.resolved["dimension"] = d;
@@ -48,10 +48,10 @@ void read_method(Case& scene, Section& root, Registry& registry) {
 }
 
 /// A method without particles passes over what only particles need; it says so.
-void warn_unused(Case& scene, const Section& root) {
+void warn_unused(Case& scene, Section& root) {
     if (scene.method->meshfree()) return;
     std::vector<std::string> unused;
-    for (const char* key : {"kernel", "kernels", "equations", "viscosity", "order"})
+    for (const char* key : {"kernel", "kernels", "equations", "viscosity"})
         if (root.has(key)) unused.push_back(key);
     unused.push_back("integrator type");
     scene.warnings.push_back("method " + scene.method_name + " does not use " + join(unused));

@@ -148,9 +148,9 @@ void read_results(Case& scene, Section& root, Registry& registry) {
     if (const Json* probes = section.find("probes")) {
         if (!probes->is_array()) section.fail("probes", shown(*probes) + " is not a list", "Write [[x, y], ...]");
         for (std::size_t i = 0; i < probes->size(); ++i) {
-            const Json wrapped{{"point", (*probes)[i]}};
-            Section point(wrapped, root.file(), "/output/probes/" + std::to_string(i));
-            scene.output.probes.push_back(point.point("point", scene.box.dimension));
+            const Json wrapped{{std::to_string(i), (*probes)[i]}};
+            Section list(wrapped, root.file(), "/output/probes");
+            scene.output.probes.push_back(list.point(std::to_string(i), scene.box.dimension));
         }
         section.resolved["probes"] = *probes;
     }

@@ -1,8 +1,12 @@
 #include <sphonic/equations.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 
 #include <sphonic/error.hpp>
+#include <sphonic/nearest.hpp>
 
 #include "case_reader.hpp"
 
@@ -34,6 +38,7 @@ public:
             else
                 section.resolved[variable.name] = read_algebraic(variable, Section(value, section.file(), at));
         }
+        refuse_cycles(section);
         out().density = out().find("rho");
         read_order(section);
         section.finish();
@@ -76,8 +81,22 @@ private:
         return section.resolved;
     }
 
+    /// Each algebraic variable must come, over others, from an evolved one.
+    void refuse_cycles(const Section& section) {
+        const auto& variables = out().variables;
+        for (const Variable& variable : variables) {
+            const Variable* at = &variable;
+            for (std::size_t steps = 0; !at->evolved(); at = &variables[std::size_t(at->of)])
+                if (++steps > variables.size())
+                    throw Error(Fault::input, section.place(variable.name) + "/of", "\"" + variable.name + "\" comes from itself and from no evolved variable",
+                                 "Let the chain end in a variable with rate terms");
+        }
+    }
+
     Json read_rates(Variable& target, const Json& list, const std::string& file, const std::string& pointer) {
         Json resolved = Json::array();
+        if (list.empty())
+            throw Error(Fault::input, file + ": " + pointer, "there is no rate term", "Give at least one, or remove the variable");
         for (std::size_t i = 0; i < list.size(); ++i) {
             Section section(list[i], file, pointer + "/" + std::to_string(i));
             target.terms.push_back(read_term(target, section));
@@ -145,24 +164,34 @@ private:
 
     /// Factors of a product at the top level, each with whether it divides.
     std::vector<std::pair<std::string, bool>> split_product(const std::string& text, const Section& section) {
-        std::vector<std::pair<std::string, bool>> factors;
-        std::string factor;
+        std::vector<std::pair<std::string, bool>> factors{{"", false}};
         int depth = 0;
-        bool inverse = false;
         for (const char c : text) {
+            std::string& factor = factors.back().first;
             depth += (c == '(') - (c == ')');
-            if (depth == 0 && (c == '*' || c == '/')) {
-                factors.emplace_back(factor, inverse);
-                factor.clear();
-                inverse = c == '/';
-            } else if (c != ' ') {
+            if (depth == 0 && (c == '*' || c == '/'))
+                factors.emplace_back("", c == '/');
+            else if (c != ' ' || !factor.empty())
                 factor += c;
-            }
         }
-        factors.emplace_back(factor, inverse);
-        for (const auto& [f, i] : factors)
-            if (f.empty() || f == "-") section.fail("times", "\"" + text + "\" is not a product", "Write factors joined by * and /");
+        for (auto& [factor, inverse] : factors) {
+            factor.erase(factor.find_last_not_of(' ') + 1);
+            if (factor.empty() || factor == "-" || is_sum(factor))
+                section.fail("times", "\"" + text + "\" is not a product", "Write factors joined by * and /");
+        }
         return factors;
+    }
+
+    /// A + or - at the top level that is neither a leading sign, nor one of an exponent (2^-1, 1e-3).
+    static bool is_sum(const std::string& factor) {
+        int depth = 0;
+        for (std::size_t i = 0; i < factor.size(); ++i) {
+            depth += (factor[i] == '(') - (factor[i] == ')');
+            if (depth > 0 || i == 0 || (factor[i] != '+' && factor[i] != '-')) continue;
+            const bool number = factor[i - 1] == 'e' && i > 1 && std::isdigit(static_cast<unsigned char>(factor[i - 2]));
+            if (factor[i - 1] != '^' && !number) return true;
+        }
+        return false;
     }
 
     void apply_factor(Term& term, std::string factor, bool inverse, const Section& section) {
@@ -175,14 +204,21 @@ private:
         if (index >= 0) {
             int power = 1;
             const char* end = factor.data() + factor.size();
-            if (hat != std::string::npos && std::from_chars(factor.data() + hat + 1, end, power).ptr != end)
+            const auto read = hat == std::string::npos ? std::from_chars_result{end, std::errc{}} : std::from_chars(factor.data() + hat + 1, end, power);
+            if (read.ptr != end || read.ec != std::errc{} || std::abs(power) > 8)
                 section.fail("times", "\"" + factor + "\" is not an integer power", "Powers of variables are integers");
             if (out().variables[index].is_vector) section.fail("times", "\"" + factor + "\" is a vector", "Multiply by scalars");
             term.factors.push_back({index, inverse ? -power : power});
             return;
         }
-        const Expression constant(factor, constants(scene_), 0, section.place("times"));
-        const double value = constant(nullptr);
+        for (const std::string name : {"x", "y", "z", "r"})
+            if (factor == name)
+                section.fail("times", "\"" + factor + "\": \"" + name + "\" is a coordinate", "Coefficients are constants times powers of variables");
+        const Expression constant(factor, constants(scene_), scene_.box.dimension, section.place("times"));
+        const double here[3] = {0.3, 0.7, 1.1}, there[3] = {1.7, -0.4, 0.2};
+        const double value = constant(here);
+        if (value != constant(there))
+            section.fail("times", "\"" + factor + "\" depends on a coordinate", "Coefficients are constants times powers of variables");
         if (!std::isfinite(value) || (inverse && value == 0)) section.fail("times", "\"" + factor + "\" is not finite here");
         term.coefficient *= inverse ? 1 / value : value;
     }
@@ -241,7 +277,9 @@ Json load_preset(const std::string& name, const Case& scene, const std::string& 
     }
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
-    throw Error(Fault::input, place, "there are no equations named \"" + name + "\"", "Known: " + join(known) + "; or write the assembly here");
+    const std::string near = nearest(name, known);
+    throw Error(Fault::input, place, "there are no equations named \"" + name + "\"",
+                near.empty() ? "Known: " + join(known) + "; or write the assembly here" : "Did you mean \"" + near + "\"?");
 }
 
 }    // namespace
@@ -253,6 +291,11 @@ int Equations::find(const std::string& name) const {
 }
 
 void read_equations(Case& scene, Section& root, Registry& registry) {
+    if (!scene.method->meshfree() && !root.has("equations") && !root.has("viscosity")) {
+        scene.equations.variables.push_back({.name = "p"});    // what every method of sound knows
+        scene.equations.variables.push_back({.name = "u", .is_vector = true});
+        return;
+    }
     const Json& given = root.need("equations", "Name a preset such as \"linear_acoustics\", or write the assembly");
     const Json* assembly = &given;
     if (given.is_string()) {

@@ -39,6 +39,7 @@ ParticleSystem::ParticleSystem(const Case& scene)
     store_ = Store(layout().size, components_.count);
     for (int c = 0; c < components_.count; ++c) state_arrays_.push_back(store_.array(abi::state, c));
     out_arrays_.resize(std::size_t(components_.count));
+    order_algebraic();
     make_parts();
     enlist_sources();
 }
@@ -65,8 +66,7 @@ ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool 
 bool ParticleSystem::reads(const Part& part) const {
     const auto& variables = scene_.equations.variables;
     const auto within = [&](int v) {
-        for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of) {}
-        return std::find(part.variables.begin(), part.variables.end(), v) != part.variables.end();
+        return std::find(part.variables.begin(), part.variables.end(), evolved_behind(v)) != part.variables.end();
     };
     for (const int v : part.variables)
         for (const Term& term : variables[std::size_t(v)].terms) {
@@ -172,8 +172,7 @@ void ParticleSystem::settle(abi::Group group, double t) {
     const auto in_group = [&](int v) {
         return v >= 0 && std::find(changed.variables.begin(), changed.variables.end(), v) != changed.variables.end();
     };
-    int p = e.find("p");
-    while (p >= 0 && !e.variables[std::size_t(p)].evolved()) p = e.variables[std::size_t(p)].of;
+    const int p = evolved_behind(e.find("p"));
     for (Members& members : members_) {
         const abi::Imposed imposed = members.source->imposed();
         impose(members, t, imposed.pressure_each_step && in_group(p), imposed.velocity_each_step && in_group(e.find("u")));
@@ -183,19 +182,35 @@ void ParticleSystem::settle(abi::Group group, double t) {
 }
 
 void ParticleSystem::refresh_algebraic(const Part& changed) {
-    const auto& variables = scene_.equations.variables;
-    for (std::size_t v = 0; v < variables.size(); ++v) {
-        if (variables[v].evolved()) continue;
-        int base = variables[v].of;
-        while (!variables[std::size_t(base)].evolved()) base = variables[std::size_t(base)].of;
-        if (std::find(changed.variables.begin(), changed.variables.end(), base) == changed.variables.end()) continue;
-        double* y = store_.array(abi::state, components_.first[v]);
-        const double* x = field(components_.first[std::size_t(variables[v].of)]);
+    for (const int v : algebraic_) {
+        const Variable& variable = scene_.equations.variables[std::size_t(v)];
+        if (std::find(changed.variables.begin(), changed.variables.end(), evolved_behind(v)) == changed.variables.end()) continue;
+        double* y = store_.array(abi::state, components_.first[std::size_t(v)]);
+        const double* x = field(components_.first[std::size_t(variable.of)]);
         layout().for_rows([&](long offset, long) {
-            variables[v].state->evaluate(scene_.medium, int(layout().count[0]), x + offset, y + offset);
+            variable.state->evaluate(scene_.medium, int(layout().count[0]), x + offset, y + offset);
         });
         tier_->fill_ghosts(y);
     }
+}
+
+int ParticleSystem::evolved_behind(int v) const {
+    const auto& variables = scene_.equations.variables;
+    while (v >= 0 && !variables[std::size_t(v)].evolved()) v = variables[std::size_t(v)].of;
+    return v;
+}
+
+/// Algebraic variables, each after the one it is computed from.
+void ParticleSystem::order_algebraic() {
+    const auto& variables = scene_.equations.variables;
+    const auto depth = [&](int v) {
+        int steps = 0;
+        for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of) ++steps;
+        return steps;
+    };
+    for (int v = 0; v < int(variables.size()); ++v)
+        if (!variables[std::size_t(v)].evolved()) algebraic_.push_back(v);
+    std::stable_sort(algebraic_.begin(), algebraic_.end(), [&](int a, int b) { return depth(a) < depth(b); });
 }
 
 void ParticleSystem::impose(Members& members, double t, bool pressure, bool velocity) {

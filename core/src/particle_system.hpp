@@ -62,9 +62,12 @@ private:
     Store store_;
     std::vector<Part> parts_;     ///< by splitting group, then everything, fields, positions
     std::vector<Members> members_;
+    std::vector<int> algebraic_;    ///< in order of evaluation
     std::vector<const double*> state_arrays_;
     std::vector<double*> out_arrays_;
 
+    int evolved_behind(int variable) const;    ///< itself, if it is evolved
+    void order_algebraic();
     void place_particles();
     void make_parts();
     Part make_part(std::vector<int> variables, bool positions);

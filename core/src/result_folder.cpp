@@ -20,17 +20,40 @@ void write_file(const fs::path& file, const std::string& text) {
     if (!out) throw Error(Fault::io, file.string(), std::string("cannot be written: ") + std::strerror(errno), "Check space and permissions");
 }
 
+namespace {
+
+bool is_there(const fs::path& path) {
+    std::error_code failed;
+    const bool there = fs::exists(path, failed);
+    if (failed) throw Error(Fault::io, path.string(), "cannot be looked at: " + failed.message(), "Check permissions");
+    return there;
+}
+
+/// --force replaces earlier results, never anything else.
+void refuse_foreign(const fs::path& target) {
+    std::error_code failed;
+    const bool folder = fs::is_directory(target, failed);
+    if (folder && (fs::is_empty(target, failed) || is_there(target / "summary.json") || is_there(target / "resolved.json"))) return;
+    throw Error(Fault::io, target.string(), "holds something other than results of a run", "Give another --out");
+}
+
+}    // namespace
+
 fs::path ResultFolder::unused(const std::string& name) {
     fs::path folder = fs::path("runs") / name;
-    for (int i = 2; fs::exists(folder); ++i) folder = fs::path("runs") / (name + "-" + std::to_string(i));
+    for (int i = 2; is_there(folder); ++i) folder = fs::path("runs") / (name + "-" + std::to_string(i));
     return folder;
 }
 
 ResultFolder::ResultFolder(fs::path target, bool force) : target_(std::move(target)), force_(force) {
     if (target_.filename().empty()) target_ = target_.parent_path();
-    if (fs::exists(target_) && !force)
-        throw Error(Fault::io, target_.string(), "exists already", "Give --force to replace it, or another --out");
+    if (is_there(target_)) {
+        if (!force) throw Error(Fault::io, target_.string(), "exists already", "Give --force to replace it, or another --out");
+        refuse_foreign(target_);
+    }
     temporary_ = target_.parent_path() / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + ".part");
+    for (fs::path parent = target_.parent_path(); !parent.empty() && !is_there(parent); parent = parent.parent_path())
+        made_.push_back(parent);
     std::error_code failed;
     fs::remove_all(temporary_, failed);
     fs::create_directories(temporary_, failed);
@@ -39,7 +62,9 @@ ResultFolder::ResultFolder(fs::path target, bool force) : target_(std::move(targ
 
 ResultFolder::~ResultFolder() {
     std::error_code ignored;
-    if (!committed_) fs::remove_all(temporary_, ignored);
+    if (committed_) return;
+    fs::remove_all(temporary_, ignored);
+    for (const fs::path& parent : made_) fs::remove(parent, ignored);    // only if empty
 }
 
 void ResultFolder::write(const std::string& name, const std::string& text) const { write_file(temporary_ / name, text); }
@@ -47,7 +72,7 @@ void ResultFolder::write(const std::string& name, const std::string& text) const
 void ResultFolder::commit() {
     std::error_code failed;
     const fs::path old = temporary_.string() + ".old";
-    if (force_ && fs::exists(target_)) fs::rename(target_, old, failed);
+    if (force_ && is_there(target_)) fs::rename(target_, old, failed);
     if (!failed) fs::rename(temporary_, target_, failed);
     if (failed) throw Error(Fault::io, target_.string(), "cannot be put in place: " + failed.message(), "Check space and permissions");
     committed_ = true;

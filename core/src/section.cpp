@@ -98,6 +98,11 @@ void Section::fail(const std::string& key, const std::string& problem, const std
     throw Error(Fault::input, place(key), problem, remedy);
 }
 
+bool Section::has(const std::string& key) {
+    known_.insert(key);
+    return value_.contains(key);
+}
+
 const Json* Section::find(const std::string& key) {
     known_.insert(key);
     const auto member = value_.find(key);
@@ -106,6 +111,10 @@ const Json* Section::find(const std::string& key) {
 
 const Json& Section::need(const std::string& key, const std::string& remedy) {
     if (const Json* member = find(key)) return *member;
+    const std::string name[] = {key};
+    for (const auto& [other, member] : value_.items())
+        if (!known_.count(other) && !nearest(other, name).empty())
+            fail(other, "unknown key \"" + other + "\"", "Did you mean \"" + key + "\"?");
     fail(key, "is missing", remedy);
 }
 

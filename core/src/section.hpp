@@ -17,7 +17,8 @@ public:
     /// `value` must outlive the section and every abi::Value read from it.
     Section(const Json& value, std::string file, std::string pointer);
 
-    bool has(const std::string& key) const { return value_.contains(key); }
+    /// Marks the key as known.
+    bool has(const std::string& key);
     /// The member, or null; marks the key as known.
     const Json* find(const std::string& key);
     /// The member; an error with the remedy if it is missing.

@@ -29,7 +29,7 @@ std::vector<Series> series_of(const Study& study, const StudyChart& wish) {
     return list;
 }
 
-/// A curve of ours for each series, and a dashed one of the same colour for what is printed.
+/// A curve of ours for each series, and hollow points of the same colour for what is printed.
 Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
     Panel panel;
     panel.x = {.label = wish.x_label, .log = wish.x_log, .lower = {}, .upper = {}};
@@ -45,7 +45,7 @@ Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<
         Curve printed{.label = series.label + (series.label.empty() ? "printed" : ", printed"),
                       .x = {},
                       .y = {},
-                      .style = Curve::Style::dashed,
+                      .style = Curve::Style::points,
                       .point_labels = {},
                       .family = family++};
         for (const std::size_t i : series.points) {

@@ -64,7 +64,7 @@ StudyPoint labelled(const Study& study, const Choice& choice) {
         point.labels.push_back(value->label);
         if (!value->family.empty()) point.family = value->family;
     }
-    point.full_name() = joined_labels(study, point.labels);
+    point.name = joined_labels(study, point.labels);
     return point;
 }
 
@@ -121,7 +121,7 @@ void make_points(Study& study) {
             point.document = cases[point.file];
             apply(study, choice, point);
         } catch (const Error& e) {
-            throw Error(e.fault, point_place(study, i, total, point.name), e.what());
+            throw Error(e.fault, point_place(study, i, total, point.full_name()), e.what());
         }
         study.points.push_back(std::move(point));
     }

@@ -25,7 +25,7 @@ StudyValue read_value(Section section, const fs::path& file) {
                      .scene = read_scene(section, file),
                      .remove = {},
                      .set = {}};
-    if (section.has("remove"))
+    if (section.find("remove"))
         for (const Json& pointer : need_list(section, "remove", "Give a list of JSON pointers")) {
             if (!pointer.is_string())
                 section.fail("remove", shown(pointer) + " is not a string",
@@ -118,8 +118,8 @@ Study load_study(const fs::path& file, const std::vector<std::string>& overrides
     for (std::size_t i = 0; i < vary.size(); ++i)
         study.vary.push_back(read_dimension(study, {vary[i], root.file(), "/vary/" + std::to_string(i)}));
     make_points(study);
-    if (root.has("printed")) read_printed(study, root.child("printed", ""));
-    if (root.has("charts")) read_charts(study, need_list(root, "charts", "Give a list of charts"));
+    if (root.find("printed")) read_printed(study, root.child("printed", ""));
+    if (root.find("charts")) read_charts(study, need_list(root, "charts", "Give a list of charts"));
     root.finish();
     return study;
 }

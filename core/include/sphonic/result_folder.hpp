@@ -1,13 +1,14 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace sphonic {
 
 /// An output folder that appears whole or not at all: files go to a hidden neighbour, which `commit` renames.
 class ResultFolder {
 public:
-    /// Refuses to replace an existing folder unless `force`.
+    /// Refuses to replace an existing folder unless `force`, and with it anything but earlier results.
     ResultFolder(std::filesystem::path target, bool force);
     /// Takes the files back if `commit` was not reached.
     ~ResultFolder();
@@ -25,6 +26,7 @@ public:
 
 private:
     std::filesystem::path target_, temporary_;
+    std::vector<std::filesystem::path> made_;    ///< parents that were not there before, innermost first
     bool force_, committed_ = false;
 };
 

@@ -46,9 +46,10 @@ struct StudyPoint {
     std::string family;
     std::filesystem::path file;    ///< of its case
     Json removed = Json::array(), set = Json::object();
-    Json document;    ///< the case with these changes and the overrides
-    std::string full_name() const { return family.empty() ? name : family + ": " + name; }
+    Json document;                    ///< the case with these changes and the overrides
     std::optional<double> printed;    ///< what a publication gives for the study's measure
+
+    std::string full_name() const { return family.empty() ? name : family + ": " + name; }
 };
 
 /// Cases to run and compare. The first dimension varies slowest.

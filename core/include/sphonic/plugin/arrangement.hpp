@@ -1,5 +1,5 @@
 #pragma once
-/// What a arrangement plugin includes: derive from sphonic::abi::Arrangement and close the file with SPHONIC_ARRANGEMENT("name", Struct, "what it is").
+/// What an arrangement plugin includes: derive from sphonic::abi::Arrangement and close the file with SPHONIC_ARRANGEMENT("name", Struct, "what it is").
 
 #include <sphonic/plugin/abi/arrangement.hpp>
 #include <sphonic/plugin/entry.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-/// What a integrator plugin includes: derive from sphonic::abi::Integrator and close the file with SPHONIC_INTEGRATOR("name", Struct, "what it is").
+/// What an integrator plugin includes: derive from sphonic::abi::Integrator and close the file with SPHONIC_INTEGRATOR("name", Struct, "what it is").
 
 #include <sphonic/plugin/abi/integrator.hpp>
 #include <sphonic/plugin/entry.hpp>
