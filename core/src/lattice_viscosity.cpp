@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    static constexpr long block = 512, most_reach = 128;
+    static constexpr long block = 1024, most_reach = 128;
     struct Pair {
         Offset offset;
         std::ptrdiff_t at;
@@ -76,26 +76,28 @@ private:
             else
                 add_plain(e, row, pair, begin, end, sum);
         }
-        for (int a = 0; a < d; ++a) {
-            double* out = e.out[target_[std::size_t(a)]] + row + begin;
-            for (long i = 0; i < end - begin; ++i) out[i] = e.assign ? e.scale * sum[a][i] : out[i] + e.scale * sum[a][i];
-        }
+        for (int a = 0; a < d; ++a) write_block(sum[a], end - begin, e.scale, e.assign, e.out[target_[std::size_t(a)]] + row + begin);
+    }
+
+    static void write_block(const double* __restrict sum, long n, double scale, bool assign, double* __restrict out) {
+        if (assign)
+            for (long i = 0; i < n; ++i) out[i] = scale * sum[i];
+        else
+            for (long i = 0; i < n; ++i) out[i] += scale * sum[i];
+    }
+
+    static void add_scaled(double weight, const double* __restrict Pi, long n, double* __restrict sum) {
+        for (long i = 0; i < n; ++i) sum[i] += weight * Pi[i];
     }
 
     /// Pi of the pairs (i, i + offset), i = first ... last - 1 in the row.
     void pair_values(const Evaluation& e, long row, const Pair& pair, long first, long last, double* Pi) const {
-        double u_dot_r[block + most_reach];
-        const long n = last - first;
-        for (int a = 0; a < grid_.scene.box.dimension; ++a) {
-            const double* __restrict u = e.state[u_[std::size_t(a)]] + row + first;
-            const double* __restrict neighbour = u + pair.at;
-            const double r = pair.r[a];
-            if (a == 0)
-                for (long i = 0; i < n; ++i) u_dot_r[i] = (u[i] - neighbour[i]) * r;
-            else
-                for (long i = 0; i < n; ++i) u_dot_r[i] += (u[i] - neighbour[i]) * r;
+        abi::RowPairs pairs{.dimension = grid_.scene.box.dimension, .n = int(last - first), .at = pair.at};
+        for (int a = 0; a < pairs.dimension; ++a) {
+            pairs.u[a] = e.state[u_[std::size_t(a)]] + row + first;
+            pairs.r[a] = pair.r[a];
         }
-        viscosity_.apply(int(n), pair.prepared.data(), u_dot_r, Pi);
+        viscosity_.row(pairs, pair.prepared.data(), Pi);
     }
 
     void add_plain(const Evaluation& e, long row, const Pair& pair, long begin, long end, double (*sum)[block]) const {
@@ -106,8 +108,7 @@ private:
         pair_values(e, row, pair, first, last, Pi);
         for (int a = 0; a < grid_.scene.box.dimension; ++a) {
             if (pair.weight[a] == 0) continue;
-            double* __restrict s = sum[a] + (first - begin);
-            for (long i = 0; i < last - first; ++i) s[i] += pair.weight[a] * Pi[i];
+            add_scaled(pair.weight[a], Pi, last - first, sum[a] + (first - begin));
         }
     }
 
@@ -121,9 +122,9 @@ private:
         double Pi[block + most_reach];
         pair_values(e, row, pair, first, last, Pi);
         const double weight = pair.weight[0];
-        double* __restrict s = sum[0];
-        for (long i = std::max(begin, first); i < last; ++i) s[i - begin] += weight * Pi[i - first];
-        for (long i = std::max(begin, first + o); i < std::min(end, last + o); ++i) s[i - begin] -= weight * Pi[i - o - first];
+        const long ahead = std::max(begin, first), behind = std::max(begin, first + o);
+        add_scaled(weight, Pi + (ahead - first), last - ahead, sum[0] + (ahead - begin));
+        add_scaled(-weight, Pi + (behind - o - first), std::min(end, last + o) - behind, sum[0] + (behind - begin));
     }
 };
 

@@ -12,7 +12,7 @@ struct Series {
 
 std::string series_name(const Study& study, const StudyChart& wish, const StudyPoint& point) {
     return wish.group.empty() ? joined_labels(study, point.labels, wish.x)
-                              : label_text(at_place(study, point, wish.group));
+                              : named_label(wish.group, at_place(study, point, wish.group));
 }
 
 std::vector<Series> series_of(const Study& study, const StudyChart& wish) {
@@ -66,7 +66,7 @@ Chart cost_chart(const Study& study, const StudyChart& wish, const std::vector<S
     std::vector<CostPoint> points;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const double y = measured(results[i], wish.y);
-        CostPoint point{study.points[i].name, label_text(at_place(study, study.points[i], wish.group)),
+        CostPoint point{study.points[i].name, named_label(wish.group, at_place(study, study.points[i], wish.group)),
                         measured(results[i], "cpu_s"), y < wish.y_floor ? wish.y_floor : y};
         if (y < wish.y_floor) point.label += ": " + readable(y);
         points.push_back(std::move(point));

@@ -25,6 +25,8 @@ double measured(const StudyResult& result, const std::string& name);
 Json at_place(const Study& study, const StudyPoint& point, const std::string& place);
 /// A label as people read it.
 std::string label_text(const Json& label);
+/// The same where its dimension is not seen: "alpha = 0.03"; a text speaks for itself.
+std::string named_label(const std::string& place, const Json& label);
 /// The labels of dimensions with several values, but for one dimension, with commas.
 std::string joined_labels(const Study& study, const std::vector<Json>& labels, const std::string& but = {});
 

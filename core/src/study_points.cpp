@@ -83,11 +83,15 @@ Choice chosen(const Study& study, std::size_t index) {
 
 std::string label_text(const Json& label) { return label.is_string() ? label.get<std::string>() : label.dump(); }
 
+std::string named_label(const std::string& place, const Json& label) {
+    return (label.is_string() ? "" : place.substr(place.rfind('/') + 1) + " = ") + label_text(label);
+}
+
 std::string joined_labels(const Study& study, const std::vector<Json>& labels, const std::string& but) {
     std::string text;
     for (std::size_t d = 0; d < labels.size(); ++d) {
         if (study.vary[d].values.size() < 2 || study.vary[d].name == but) continue;
-        text += (text.empty() ? "" : ", ") + label_text(labels[d]);
+        text += (text.empty() ? "" : ", ") + named_label(study.vary[d].name, labels[d]);
     }
     return text;
 }

@@ -109,7 +109,10 @@ std::string read_measure(Section& section, const std::string& key, const std::st
 Study load_study(const fs::path& file, const std::vector<std::string>& overrides) {
     const Json document = read_json(file);
     Section root(document, file.string(), "");
-    Study study{.file = file, .scene = read_scene(root, file), .overrides = overrides};
+    Study study;
+    study.file = file;
+    study.scene = read_scene(root, file);
+    study.overrides = overrides;
     study.title = root.text("title", file.stem().string());
     study.description = root.text("description", "");
     study.measure = read_measure(root, "measure", "errors.l2");

@@ -107,8 +107,11 @@ TEST_CASE("a viscosity prepared once and applied gives what it gives for pairs",
             for (std::size_t k = 0; k < std::size_t(pairs.size()); ++k) {
                 // Every motion of the set, with the geometry of pair k.
                 std::vector<double> applied(pairs.u_dot_r.size()), direct;
-                viscosity.apply(pairs.size(), prepared.data() + std::ptrdiff_t(k) * size, pairs.u_dot_r.data(),
-                                applied.data());
+                // as a row in one dimension: r = 1 and the other side at rest, so that u_ij . r_ij is u_i
+                std::vector<double> u = pairs.u_dot_r;
+                u.resize(2 * u.size(), 0.0);
+                const abi::RowPairs row{.dimension = 1, .n = pairs.size(), .at = pairs.size(), .u = {u.data()}, .r = {1}};
+                viscosity.row(row, prepared.data() + std::ptrdiff_t(k) * size, applied.data());
                 for (const double& u_dot_r : pairs.u_dot_r) {
                     abi::PairBlock one = pairs.one(k, each);
                     one.u_dot_r = &u_dot_r;

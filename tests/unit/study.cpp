@@ -71,7 +71,8 @@ TEST_CASE("the dimensions of a study are crossed with the first one slowest") {
     const Study study = Desk().study(two);
     std::vector<std::string> names;
     for (const StudyPoint& point : study.points) names.push_back(point.name);
-    CHECK(names == std::vector<std::string>{"0, small", "0, large", "0.03, small", "0.03, large"});
+    CHECK(names == std::vector<std::string>{"alpha = 0, small", "alpha = 0, large", "alpha = 0.03, small",
+                                            "alpha = 0.03, large"});
 }
 
 TEST_CASE("a value of a study sets all its members together and overrides come last") {
@@ -136,7 +137,7 @@ TEST_CASE("a study file that says something else than it may is refused where it
         {two + R"(, "printed": { "columns": ["alpha"], "rows": [[0.03]] })",
          R"(/printed/columns: one column must be the measure. Give names of dimensions and "errors.l2")"},
         {R"("vary": [ { "name": "a", "pointer": "/x", "values": [1, 2] } ])",
-         R"(point 1 of 2 (1): case: is missing. Give "case" in the study or in the value)"},
+         R"(point 1 of 2 (a = 1): case: is missing. Give "case" in the study or in the value)"},
         {R"("case": "tone.json", "vary": [ { "name": "a", "values": [ { "label": "b", "remove": ["/viscosty"] } ] } ])",
          R"(point 1 of 1: remove: "/viscosty" is not in the case. Did you mean "/viscosity"?)"},
     }));
@@ -150,7 +151,7 @@ TEST_CASE("a study names the point whose case is refused before it runs any") {
         R"("case": "tone.json", "vary": [ { "name": "h", "pointer": "/kernel/h_over_dx", "values": [1, -1] } ])");
     Registry registry(Registry::search_path());
     CHECK_THROWS_WITH(run_study(study, registry, desk.folder / "out", false),
-                      Catch::StartsWith(desk.file.string() + ": point 2 of 2 (-1): ") &&
+                      Catch::StartsWith(desk.file.string() + ": point 2 of 2 (h = -1): ") &&
                           Catch::Contains("tone.json: /kernel/h_over_dx: -1 is out of range"));
     CHECK_FALSE(fs::exists(desk.folder / "out"));
 }

@@ -35,11 +35,12 @@ public:
             std::memcpy(prepared + std::ptrdiff_t(k) * size, &p, sizeof p);
         }
     }
-    void apply(int n, const double* prepared, const double* __restrict u_dot_r, double* __restrict Pi) const override {
+    void row(const abi::RowPairs& pairs, const double* prepared, double* Pi) const override {
         Prepared p;
         std::memcpy(&p, prepared, sizeof p);
-#pragma omp simd
-        for (int k = 0; k < n; ++k) Pi[k] = model(p, u_dot_r[k]);
+        if (pairs.dimension == 1) return row_in<1>(pairs, p, Pi);
+        if (pairs.dimension == 2) return row_in<2>(pairs, p, Pi);
+        row_in<3>(pairs, p, Pi);
     }
     double slope(const abi::PairBlock& b) const override {
         const double c = at(b.c_each, b.c, 0), tiny = 1e-9 * c * std::sqrt(b.r2[0]);
@@ -47,6 +48,19 @@ public:
     }
 
 private:
+    template <int D>
+    void row_in(const abi::RowPairs& pairs, const Prepared p, double* __restrict Pi) const {
+        const V local = model;
+        const double *__restrict u0 = pairs.u[0], *__restrict u1 = pairs.u[D > 1 ? 1 : 0], *__restrict u2 = pairs.u[D > 2 ? 2 : 0];
+        const double r0 = pairs.r[0], r1 = pairs.r[1], r2 = pairs.r[2];
+        const std::ptrdiff_t at = pairs.at;
+        for (int i = 0; i < pairs.n; ++i) {
+            double u_dot_r = (u0[i] - u0[i + at]) * r0;
+            if constexpr (D > 1) u_dot_r += (u1[i] - u1[i + at]) * r1;
+            if constexpr (D > 2) u_dot_r += (u2[i] - u2[i + at]) * r2;
+            Pi[i] = local(p, u_dot_r);
+        }
+    }
     static double at(const double* each, double uniform, int k) { return each ? each[k] : uniform; }
 
     // No simd pragma here: with one, GCC 12 keeps the prepared struct in memory and does not vectorise.

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 
 namespace sphonic::abi {
 
@@ -13,8 +14,18 @@ struct PairBlock {
     const double* rho_each = nullptr;    ///< [kg/m^3]
 };
 
+/// The pairs (i, i + at) of n consecutive lattice particles and one neighbour offset: u_ij . r_ij is formed from the
+/// fields inside the plugin's own loop, which saves it a pass through memory.
+struct RowPairs {
+    int dimension = 1;
+    int n = 0;
+    std::ptrdiff_t at = 0;                                ///< from i to j in the fields
+    const double* u[3] = {nullptr, nullptr, nullptr};     ///< velocity components at the first i [m/s]
+    double r[3] = {0, 0, 0};                              ///< r_ij = x_i - x_j [m]
+};
+
 /// A pairwise artificial viscosity Pi_ij [m^5 kg^-1 s^-2], added to p_i/rho_i^2 + p_j/rho_j^2.
-/// Symmetric in i and j. Where the geometry of pairs is constant, `prepare` is called once and `apply` at every step.
+/// Symmetric in i and j. Where the geometry of pairs is constant, `prepare` is called once and `row` at every step.
 class Viscosity {
 public:
     static constexpr const char* kind = "viscosity";
@@ -27,8 +38,8 @@ public:
     virtual int prepared_size() const = 0;
     /// Prepared data of each pair, [pair][prepared_size()]; `block.u_dot_r` is not read.
     virtual void prepare(const PairBlock& block, double* prepared) const = 0;
-    /// Pi for n pairs that share one set of prepared data (one lattice offset).
-    virtual void apply(int n, const double* prepared, const double* u_dot_r, double* Pi) const = 0;
+    /// Pi for the pairs of a row, which share one set of prepared data.
+    virtual void row(const RowPairs& pairs, const double* prepared, double* Pi) const = 0;
 
     /// Slope dPi/d(u.r) at u.r -> 0- of an approaching pair [m^3 kg^-1 s^-1]: the linear part that bounds the stable step.
     virtual double slope(const PairBlock& block) const = 0;
