@@ -78,7 +78,7 @@ Panel magnified(const Case& scene, const Row& row, std::size_t crest) {
     const double half = std::max(wavelength / 25, 6 * scene.box.dx), centre = row.x[crest];
     const auto first = std::lower_bound(row.x.begin(), row.x.end(), centre - half) - row.x.begin();
     const auto last = std::upper_bound(row.x.begin(), row.x.end(), centre + half) - row.x.begin();
-    return {.title = "crest at x = " + text("%.3g m", centre), .x = {.label = "x [m]"}, .y = {.label = "p [Pa]"},
+    return {.title = (row.exact[crest] > 0 ? "crest" : "trough") + text(" at x = %.3g m", centre), .x = {.label = "x [m]"}, .y = {.label = "p [Pa]"},
             .curves = curves(row, std::size_t(first), std::size_t(last), Curve::Style::line_points), .legend = false};
 }
 
@@ -106,7 +106,8 @@ Chart probe_chart(const Case& scene, const ProbeRecord& probes) {
     for (std::size_t k = 0; k < probes.p.size(); ++k) {
         std::string at;
         for (const double x : probes.read_at[k]) at += (at.empty() ? "" : ", ") + text("%.4g", x);
-        panel.curves.push_back({.label = "x = (" + at + ") m", .x = probes.t, .y = probes.p[k], .point_labels = {}, .family = int(k)});
+        if (scene.box.dimension > 1) at = "(" + at + ")";
+        panel.curves.push_back({.label = "x = " + at + " m", .x = probes.t, .y = probes.p[k], .point_labels = {}, .family = int(k)});
         if (!probes.exact[k].empty())
             panel.curves.push_back({.label = k == 0 ? "exact" : "", .x = probes.t, .y = probes.exact[k],
                                     .style = Curve::Style::dashed, .point_labels = {}});
