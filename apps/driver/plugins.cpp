@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <limits>
 
 #include <sphonic/error.hpp>
 #include <sphonic/json.hpp>
 #include <sphonic/log.hpp>
+#include <sphonic/parameters.hpp>
 #include <sphonic/registry.hpp>
 
 #include "commands.hpp"
@@ -13,39 +13,10 @@
 namespace sphonic::driver {
 namespace {
 
-const char* type_name(abi::ParameterType type) {
-    constexpr const char* names[] = {"number", "integer", "boolean", "string", "list of numbers"};
-    return names[int(type)];
-}
-
-Json value_json(const abi::Value& value) {
-    switch (value.type) {
-        case abi::ParameterType::real: return value.real;
-        case abi::ParameterType::integer: return value.integer;
-        case abi::ParameterType::boolean: return value.boolean;
-        case abi::ParameterType::text: return value.text;
-        case abi::ParameterType::vector: break;
-    }
-    return Json(nullptr);
-}
-
-bool is_required(const abi::ParameterInfo& row) {
-    return row.initial.type == abi::ParameterType::real && (row.initial.real < row.lower || row.initial.real > row.upper);
-}
-
-std::string range(const abi::ParameterInfo& row) {
-    if (row.choices[0]) return row.choices;
-    if (row.initial.type != abi::ParameterType::real && row.initial.type != abi::ParameterType::integer) return "";
-    const bool open = row.lower == std::numeric_limits<double>::min();
-    const std::string low = open ? "> 0" : row.lower > -std::numeric_limits<double>::infinity() ? ">= " + Json(row.lower).dump() : "";
-    const std::string high = row.upper < std::numeric_limits<double>::infinity() ? "<= " + Json(row.upper).dump() : "";
-    return low + (low.empty() || high.empty() ? "" : ", ") + high;
-}
-
 Json row_json(const abi::ParameterInfo& row) {
-    Json json{{"name", row.name}, {"type", type_name(row.initial.type)}, {"unit", row.unit}, {"required", is_required(row)}};
-    json["default"] = is_required(row) ? Json(nullptr) : value_json(row.initial);
-    json["range"] = range(row);
+    Json json{{"name", row.name}, {"type", type_name(row.initial.type)}, {"unit", row.unit}, {"required", is_required(row) && row.initial.real == row.initial.real}};
+    json["default"] = is_required(row) ? Json(nullptr) : to_json(row.initial);
+    json["range"] = range_short(row);
     json["doc"] = row.doc;
     return json;
 }
@@ -54,7 +25,18 @@ Json plugin_json(const Plugin& plugin) {
     Json json{{"kind", plugin.kind}, {"name", plugin.name}, {"doc", plugin.doc}, {"file", plugin.file.string()}, {"abi", plugin.abi}};
     json["parameters"] = Json::array();
     for (const auto& row : plugin.parameters) json["parameters"].push_back(row_json(row));
+    json["common"] = Json::array();
+    for (const auto& row : common_keys(plugin.kind)) json["common"].push_back(row_json(row));
     return json;
+}
+
+void print_rows(std::span<const abi::ParameterInfo> rows, bool common) {
+    for (const auto& row : rows) {
+        const Json initial = to_json(row.initial);
+        std::string shown = is_required(row) ? (common ? "-" : "required") : initial.dump();
+        if (shown == "[]" || shown == "\"\"") shown = "-";
+        std::printf("  %-15s %-7s %-9s %-24s %s\n", row.name, row.unit, shown.c_str(), range_short(row).c_str(), row.doc);
+    }
 }
 
 }    // namespace
@@ -95,12 +77,10 @@ int describe(const Common& options, const std::string& kind, const std::string& 
         return 0;
     }
     std::printf("%s %s: %s\n%s\nABI %s\n", kind.c_str(), name.c_str(), plugin.doc.c_str(), plugin.file.c_str(), plugin.abi.c_str());
-    if (plugin.parameters.empty()) std::printf("no parameters\n");
-    for (const auto& row : plugin.parameters) {
-        const std::string initial = is_required(row) ? "required" : value_json(row.initial).dump();
-        std::printf("  %-14s %-8s default %-10s %-16s %s\n", row.name, row.unit, initial == "null" ? "none" : initial.c_str(),
-                    range(row).c_str(), row.doc);
-    }
+    std::printf("  %-15s %-7s %-9s %-24s\n", "key", "unit", "default", "range");
+    print_rows(plugin.parameters, false);
+    if (!common_keys(kind).empty()) std::printf("and, for every %s:\n", kind.c_str());
+    print_rows(common_keys(kind), true);
     return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <sphonic/error.hpp>
+#include <sphonic/parameters.hpp>
 
 #include "case_reader.hpp"
 
@@ -16,8 +17,8 @@ KernelUse read_kernel_use(Case& scene, Section& section, Registry& registry, con
     KernelUse use{.name = name, .kernel = read_plugin<abi::Kernel>(scene, section, registry)};
     if (!use.kernel->defined(scene.box.dimension))
         section.fail("type", "this kernel is not defined in dimension " + std::to_string(scene.box.dimension), "Choose another kernel");
-    const auto h = section.optional_real(real_row("h", "m", positive, infinite, "smoothing length"));
-    const auto ratio = section.optional_real(real_row("h_over_dx", "1", positive, 1000, "smoothing length over spacing"));
+    const auto h = section.optional_real(common_key("kernel", "h"));
+    const auto ratio = section.optional_real(common_key("kernel", "h_over_dx"));
     if (h.has_value() == ratio.has_value())
         section.fail("", h ? "h and h_over_dx are both given" : "the smoothing length is missing", "Give one of h [m] and h_over_dx");
     use.h = h ? *h : *ratio * scene.box.dx;
@@ -38,7 +39,7 @@ void prepared(const Section& section, Call call) {
 }
 
 double courant_length(Case& scene, Section& section) {
-    const std::string name = section.choice("courant_length", "dx", {"dx", "h"});
+    const std::string name = section.read(common_key("integrator", "courant_length")).text;
     if (name == "dx") return scene.box.dx;
     if (scene.kernels.empty()) section.fail("courant_length", "there is no kernel to take h from", "Use \"dx\"");
     return scene.kernels[0].h;
@@ -113,14 +114,14 @@ void read_time(Case& scene, Section& root, Registry& registry) {
     scene.integrator = read_plugin<abi::Integrator>(scene, section, registry);
     scene.integrator_name = section.resolved["type"];
     StepChoice& step = scene.step;
-    step.dt = section.optional_real(real_row("dt", "s", positive, infinite, "time step"));
-    step.courant = section.optional_real(real_row("courant", "1", positive, infinite, "c0 dt / courant_length"));
+    step.dt = section.optional_real(common_key("integrator", "dt"));
+    step.courant = section.optional_real(common_key("integrator", "courant"));
     step.courant_length = courant_length(scene, section);
     if (step.dt && step.courant) section.fail("courant", "dt and courant are both given", "Give one of dt, courant and safety");
     const bool chosen = step.dt || step.courant;
     if (section.has("safety") && chosen) section.fail("safety", "the step is already given", "Give one of dt, courant and safety");
-    if (!chosen) step.safety = section.real(real_row("safety", "1", positive, 1, "fraction of the stable step", 0.9));
-    step.allow_unstable = section.choice("unstable", "refuse", {"refuse", "allow"}) == "allow";
+    if (!chosen) step.safety = section.real(common_key("integrator", "safety"));
+    step.allow_unstable = std::string(section.read(common_key("integrator", "unstable")).text) == "allow";
     section.finish();
     root.resolved["integrator"] = section.resolved;
     scene.until = root.real(real_row("until", "s", positive, infinite, "end of the run"));
@@ -136,7 +137,7 @@ void read_results(Case& scene, Section& root, Registry& registry) {
         prepared(section, [&] { use.reference->prepare({scene.box.dimension, scene.medium, waves.data(), int(waves.size())}); });
         if (section.has("region"))
             use.region.emplace(section.text("region", ""), constants(scene), scene.box.dimension, section.place("region"));
-        use.scale = section.optional_real(real_row("scale", "Pa", positive, infinite, "pressure P that errors are divided by"));
+        use.scale = section.optional_real(common_key("reference", "scale"));
         section.finish();
         scene.reference = std::move(use);
         root.resolved["reference"] = section.resolved;

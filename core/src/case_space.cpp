@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <sphonic/error.hpp>
+#include <sphonic/parameters.hpp>
 #include <sphonic/plugin/abi/boundary.hpp>
 
 #include "case_reader.hpp"
@@ -10,9 +10,6 @@
 
 namespace sphonic {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double positive = std::numeric_limits<double>::min();
 
 /// Bytes per particle that a run is sure to need: fields, histories and lists of a small case.
 constexpr double least_bytes_per_particle = 100;
@@ -91,19 +88,19 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     Section section = root.child("particles", "Give { \"type\": \"lattice\", \"dx\": ..., \"lower\": [...], \"upper\": [...] }");
     abi::Box& box = scene.box;
     scene.arrangement = read_plugin<abi::Arrangement>(scene, section, registry);
-    box.dx = section.real(real_row("dx", "m", positive, infinite, "particle spacing"));
+    box.dx = section.real(common_key("arrangement", "dx"));
     const auto lower = section.point("lower", box.dimension), upper = section.point("upper", box.dimension);
     std::copy(lower.begin(), lower.end(), box.lower);
     std::copy(upper.begin(), upper.end(), box.upper);
     count_sites(box, section);
-    const std::string motion = section.choice("motion", "auto", {"auto", "frozen", "lagrangian"});
+    const std::string motion = section.read(common_key("arrangement", "motion")).text;
     scene.motion = motion == "lagrangian" ? Motion::lagrangian : Motion::frozen;
-    const std::string neighbours = section.choice("neighbours", "auto", {"auto", "lattice", "moving"});
+    const std::string neighbours = section.read(common_key("arrangement", "neighbours")).text;
     if (neighbours == "lattice") scene.neighbours = Neighbours::lattice;
     if (neighbours == "moving") scene.neighbours = Neighbours::moving;
     if (neighbours == "lattice" && (scene.motion == Motion::lagrangian || !scene.arrangement->regular()))
         section.fail("neighbours", "\"lattice\" needs a frozen, regular arrangement", "Use \"auto\"");
-    scene.velocity_name = section.text("velocity", "u");
+    scene.velocity_name = section.read(common_key("arrangement", "velocity")).text;
     section.finish();
     root.resolved["particles"] = section.resolved;
 }

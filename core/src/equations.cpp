@@ -1,14 +1,12 @@
 #include <sphonic/equations.hpp>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cmath>
 
 #include <sphonic/error.hpp>
 #include <sphonic/nearest.hpp>
 
 #include "case_reader.hpp"
+#include "times.hpp"
 
 #ifndef SPHONIC_EQUATIONS_DIR
 #error "SPHONIC_EQUATIONS_DIR names the folder of equation presets"
@@ -123,7 +121,7 @@ private:
                          "Vectors are u and U");
         term.form = read_form(section);
         term.kernel = read_kernel(section);
-        read_times(term, section);
+        read_times(term, scene_, section);
         return term;
     }
 
@@ -155,72 +153,6 @@ private:
         for (std::size_t i = 0; i < scene_.kernels.size(); ++i)
             if (scene_.kernels[i].name == name) return int(i);
         section.fail("kernel", "there is no kernel \"" + name + "\" in /kernels", "Name one of /kernels");
-    }
-
-    void read_times(Term& term, Section& section) {
-        const std::string text = section.text("times", "1");
-        for (const auto& [factor, inverse] : split_product(text, section)) apply_factor(term, factor, inverse, section);
-    }
-
-    /// Factors of a product at the top level, each with whether it divides.
-    std::vector<std::pair<std::string, bool>> split_product(const std::string& text, const Section& section) {
-        std::vector<std::pair<std::string, bool>> factors{{"", false}};
-        int depth = 0;
-        for (const char c : text) {
-            std::string& factor = factors.back().first;
-            depth += (c == '(') - (c == ')');
-            if (depth == 0 && (c == '*' || c == '/'))
-                factors.emplace_back("", c == '/');
-            else if (c != ' ' || !factor.empty())
-                factor += c;
-        }
-        for (auto& [factor, inverse] : factors) {
-            factor.erase(factor.find_last_not_of(' ') + 1);
-            if (factor.empty() || factor == "-" || is_sum(factor))
-                section.fail("times", "\"" + text + "\" is not a product", "Write factors joined by * and /");
-        }
-        return factors;
-    }
-
-    /// A + or - at the top level that is neither a leading sign, nor one of an exponent (2^-1, 1e-3).
-    static bool is_sum(const std::string& factor) {
-        int depth = 0;
-        for (std::size_t i = 0; i < factor.size(); ++i) {
-            depth += (factor[i] == '(') - (factor[i] == ')');
-            if (depth > 0 || i == 0 || (factor[i] != '+' && factor[i] != '-')) continue;
-            const bool number = factor[i - 1] == 'e' && i > 1 && std::isdigit(static_cast<unsigned char>(factor[i - 2]));
-            if (factor[i - 1] != '^' && !number) return true;
-        }
-        return false;
-    }
-
-    void apply_factor(Term& term, std::string factor, bool inverse, const Section& section) {
-        if (factor[0] == '-') {
-            term.coefficient = -term.coefficient;
-            factor.erase(0, 1);
-        }
-        const auto hat = factor.find('^');
-        const int index = out().find(factor.substr(0, hat));
-        if (index >= 0) {
-            int power = 1;
-            const char* end = factor.data() + factor.size();
-            const auto read = hat == std::string::npos ? std::from_chars_result{end, std::errc{}} : std::from_chars(factor.data() + hat + 1, end, power);
-            if (read.ptr != end || read.ec != std::errc{} || std::abs(power) > 8)
-                section.fail("times", "\"" + factor + "\" is not an integer power", "Powers of variables are integers");
-            if (out().variables[index].is_vector) section.fail("times", "\"" + factor + "\" is a vector", "Multiply by scalars");
-            term.factors.push_back({index, inverse ? -power : power});
-            return;
-        }
-        for (const std::string name : {"x", "y", "z", "r"})
-            if (factor == name)
-                section.fail("times", "\"" + factor + "\": \"" + name + "\" is a coordinate", "Coefficients are constants times powers of variables");
-        const Expression constant(factor, constants(scene_), scene_.box.dimension, section.place("times"));
-        const double here[3] = {0.3, 0.7, 1.1}, there[3] = {1.7, -0.4, 0.2};
-        const double value = constant(here);
-        if (value != constant(there))
-            section.fail("times", "\"" + factor + "\" depends on a coordinate", "Coefficients are constants times powers of variables");
-        if (!std::isfinite(value) || (inverse && value == 0)) section.fail("times", "\"" + factor + "\" is not finite here");
-        term.coefficient *= inverse ? 1 / value : value;
     }
 
     void read_order(Section& section) {

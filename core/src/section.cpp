@@ -1,28 +1,16 @@
 #include "section.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <sphonic/error.hpp>
 #include <sphonic/nearest.hpp>
+#include <sphonic/parameters.hpp>
 
 namespace sphonic {
 namespace {
 
 bool in_range(const abi::ParameterInfo& row, double x) { return x >= row.lower && x <= row.upper; }
-
-std::string number(double x) { return Json(x).dump(); }
-
-std::string range_text(const abi::ParameterInfo& row) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const bool open = row.lower == std::numeric_limits<double>::min();
-    const std::string unit = std::string(row.unit) == "1" ? "" : std::string(" [") + row.unit + "]";
-    std::string range;
-    if (open) range = "greater than 0";
-    if (!open && row.lower > -infinite) range = "at least " + number(row.lower);
-    if (row.upper < infinite) range += (range.empty() ? "" : " and ") + ("at most " + number(row.upper));
-    return std::string(row.name) + unit + " must be " + range;
-}
 
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> parts;
@@ -37,25 +25,6 @@ std::string escaped(const std::string& key) {
     std::string token;
     for (const char c : key) token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
     return token;
-}
-
-Json to_json(const abi::Value& value) {
-    switch (value.type) {
-        case abi::ParameterType::real: return value.real;
-        case abi::ParameterType::integer: return value.integer;
-        case abi::ParameterType::boolean: return value.boolean;
-        case abi::ParameterType::text: return value.text;
-        case abi::ParameterType::vector: break;
-    }
-    Json list = Json::array();
-    for (int a = 0; a < value.size; ++a) list.push_back(value.vector[a]);
-    return list;
-}
-
-bool has_default(const abi::ParameterInfo& row) {
-    if (row.initial.type == abi::ParameterType::real) return in_range(row, row.initial.real);
-    if (row.initial.type == abi::ParameterType::integer) return in_range(row, double(row.initial.integer));
-    return true;
 }
 
 }    // namespace
@@ -139,7 +108,7 @@ std::string Section::choice(const std::string& key, const std::string& fallback,
 abi::Value Section::read(const abi::ParameterInfo& row) {
     const Json* member = find(row.name);
     if (!member) {
-        if (!has_default(row)) fail(row.name, "is missing", range_text(row));
+        if (is_required(row)) fail(row.name, "is missing", range_sentence(row));
         if (row.initial.type != abi::ParameterType::vector || row.initial.size > 0) resolved[row.name] = to_json(row.initial);
         return row.initial;
     }
@@ -147,12 +116,12 @@ abi::Value Section::read(const abi::ParameterInfo& row) {
     switch (value.type) {
         case abi::ParameterType::real:
             value.real = finite_number(*member, place(row.name));
-            if (!in_range(row, value.real)) fail(row.name, shown(*member) + " is out of range", range_text(row));
+            if (!in_range(row, value.real)) fail(row.name, shown(*member) + " is out of range", range_sentence(row));
             break;
         case abi::ParameterType::integer:
             if (!member->is_number_integer()) fail(row.name, shown(*member) + " is not an integer", "Give an integer");
             value.integer = member->get<std::int64_t>();
-            if (!in_range(row, double(value.integer))) fail(row.name, shown(*member) + " is out of range", range_text(row));
+            if (!in_range(row, double(value.integer))) fail(row.name, shown(*member) + " is out of range", range_sentence(row));
             break;
         case abi::ParameterType::boolean:
             if (!member->is_boolean()) fail(row.name, shown(*member) + " is not true or false", "Give true or false");
@@ -168,7 +137,7 @@ abi::Value Section::read(const abi::ParameterInfo& row) {
                 fail(row.name, shown(*member) + " is not a list of one to three numbers", "Give one number per dimension");
             for (const Json& x : *member) {
                 value.vector[value.size] = finite_number(x, place(row.name) + "/" + std::to_string(value.size));
-                if (!in_range(row, value.vector[value.size])) fail(row.name, shown(x) + " is out of range", range_text(row));
+                if (!in_range(row, value.vector[value.size])) fail(row.name, shown(x) + " is out of range", range_sentence(row));
                 ++value.size;
             }
         }

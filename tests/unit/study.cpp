@@ -111,7 +111,7 @@ TEST_CASE("a study file that says something else than it may is refused where it
     const auto [members, message] = GENERATE_COPY(values<Refused>({
         {R"("vary": [], "case": "tone.json")",
          R"(/vary: [] is not a list with entries. Give [ { "name": ..., "pointer": ..., "values": [...] } ])"},
-        {R"("vary": [ { "name": "a", "vlaues": [1] } ])", "/vary/0/values: is missing. Give the values in a list"},
+        {R"("vary": [ { "name": "a", "vlaues": [1] } ])", "/vary/0/vlaues: unknown key \"vlaues\". Did you mean \"values\"?"},
         {R"("vary": [ { "name": "a", "pointr": "/b", "values": [ { "label": 1 } ] } ])",
          R"(/vary/0/pointr: unknown key "pointr". Did you mean "pointer"?)"},
         {R"("vary": [ { "name": "a", "values": [0.5] } ])",

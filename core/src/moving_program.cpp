@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+
+#include "moving_set.hpp"
+#include "stencil.hpp"
+
+namespace sphonic {
+namespace {
+
+/// Rate terms on a moving set: tile by tile, every term as one scalar per pair.
+class MovingProgram final : public Program {
+public:
+    MovingProgram(MovingSet& set, const std::vector<int>& variables)
+        : set_(set), variables_(variables), pairs_(set, components_read(set, variables)) {}
+
+    void evaluate(const Evaluation& e) override {
+        pairs_.begin(e.state);
+        for_tiles(set_, [&](const PairTile& tile) {
+            pairs_.start(tile);
+            for (const int v : variables_) evaluate_variable(v, tile, pairs_, e);
+        });
+    }
+
+private:
+    MovingSet& set_;
+    std::vector<int> variables_;
+    PairValues pairs_;
+    Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_;
+
+    static std::vector<int> components_read(const MovingSet& set, const std::vector<int>& variables) {
+        const Equations& e = set.scene.equations;
+        std::vector<int> read;
+        const auto add = [&](int v) {
+            for (int c = 0; c < e.variables[std::size_t(v)].components(set.scene.box.dimension); ++c)
+                read.push_back(set.components.first[std::size_t(v)] + c);
+        };
+        if (e.density >= 0) add(e.density);
+        for (const int v : variables)
+            for (const Term& term : e.variables[std::size_t(v)].terms) {
+                add(term.operand);
+                for (const Factor& f : term.factors) add(f.variable);
+            }
+        std::sort(read.begin(), read.end());
+        read.erase(std::unique(read.begin(), read.end()), read.end());
+        return read;
+    }
+
+    const Variable& variable(int v) const { return set_.scene.equations.variables[std::size_t(v)]; }
+    int component(int v) const { return set_.components.first[std::size_t(v)]; }
+
+    /// All terms of a variable as one scalar per pair, which a vector multiplies by r_ij.
+    void evaluate_variable(int v, const PairTile& tile, PairValues& pairs, const Evaluation& e) {
+        double* sum = pairs.room(sum_);
+        const auto& terms = variable(v).terms;
+        if (terms.empty()) std::fill_n(sum, tile.n, 0.0);
+        for (const Term& term : terms) {
+            const bool first = &term == &terms.front();
+            if (term.op == Term::Operator::viscosity)
+                add_viscosity(term, pairs, sum, first);
+            else
+                add_derivative(term, pairs, sum, first);
+        }
+        if (!variable(v).is_vector) return row_sums(tile, sum, e.scale, e.assign, e.out[component(v)]);
+        for (int a = 0; a < set_.scene.box.dimension; ++a)
+            row_sums(tile, sum, pairs.r(a), e.scale, e.assign, e.out[component(v) + a]);
+    }
+
+    void add_derivative(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
+        const auto [own, other] = coefficients(term, pairs);
+        double* __restrict value = pairs.room(value_);
+        const bool gradient = term.op == Term::Operator::gradient;
+        for (int a = 0; a < (gradient ? 1 : set_.scene.box.dimension); ++a) {
+            const int c = component(term.operand) + a;
+            combine(pairs.n(), own, other, pairs.own(c), pairs.other(c), gradient ? nullptr : pairs.r(a), a == 0, value);
+        }
+        const double coefficient = term.coefficient;
+        const double* __restrict weight = pairs.weight(term.kernel);
+        for (const Factor& factor : term.factors) multiply(value, pairs, factor);
+        if (first)
+            for (int k = 0; k < pairs.n(); ++k) sum[k] = coefficient * value[k] * weight[k];
+        else
+            for (int k = 0; k < pairs.n(); ++k) sum[k] += coefficient * value[k] * weight[k];
+    }
+
+    /// Per-pair coefficients; a stride of 0 in `Coefficient` stands for a uniform one.
+    struct Coefficient {
+        const double* value;
+        int stride;
+    };
+
+    std::pair<Coefficient, Coefficient> coefficients(const Term& term, PairValues& pairs) {
+        double *own = pairs.room(own_), *other = pairs.room(other_);
+        const int rho = set_.scene.equations.density;
+        if (term.form->uniform() || rho < 0) {
+            const RestCoefficients c = rest_coefficients(*term.form, set_.scene.medium.rho0);
+            own[0] = c.own, other[0] = c.other;
+            return {{own, 0}, {other, 0}};
+        }
+        term.form->coefficients({pairs.n(), pairs.own(component(rho)), pairs.other(component(rho)), pairs.own_inverse_rho(),
+                                 pairs.other_inverse_rho()}, own, other);
+        return {{own, 1}, {other, 1}};
+    }
+
+    /// value = own f_i + other f_j, times r_a and added up over the axes for a divergence.
+    static void combine(int n, Coefficient own, Coefficient other, const double* __restrict fi, const double* __restrict fj,
+                        const double* __restrict r, bool first, double* __restrict value) {
+        const auto sweep = [&](auto pair) {
+            if (!r)
+                for (int k = 0; k < n; ++k) value[k] = pair(k);
+            else if (first)
+                for (int k = 0; k < n; ++k) value[k] = pair(k) * r[k];
+            else
+                for (int k = 0; k < n; ++k) value[k] += pair(k) * r[k];
+        };
+        if (own.stride == 0) {
+            const double a = own.value[0], b = other.value[0];
+            sweep([=](int k) { return a * fi[k] + b * fj[k]; });
+        } else {
+            const double *a = own.value, *b = other.value;
+            sweep([=](int k) { return a[k] * fi[k] + b[k] * fj[k]; });
+        }
+    }
+
+    void multiply(double* __restrict value, PairValues& pairs, const Factor& factor) const {
+        const bool inverse = factor.power < 0, density = factor.variable == set_.scene.equations.density;
+        const double* __restrict f = inverse && density ? pairs.own_inverse_rho() : pairs.own(component(factor.variable));
+        const int n = pairs.n();
+        for (int p = 0; p < std::abs(factor.power); ++p) {
+            if (inverse && !density)
+                for (int k = 0; k < n; ++k) value[k] /= f[k];
+            else
+                for (int k = 0; k < n; ++k) value[k] *= f[k];
+        }
+    }
+
+    void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
+        const int n = pairs.n(), rho = set_.scene.equations.density;
+        double* __restrict u_dot_r = pairs.room(u_dot_r_);
+        for (int a = 0; a < set_.scene.box.dimension; ++a) {
+            const int c = component(term.operand) + a;
+            const double *__restrict ui = pairs.own(c), *__restrict uj = pairs.other(c), *__restrict r = pairs.r(a);
+            if (a == 0)
+                for (int k = 0; k < n; ++k) u_dot_r[k] = (ui[k] - uj[k]) * r[k];
+            else
+                for (int k = 0; k < n; ++k) u_dot_r[k] += (ui[k] - uj[k]) * r[k];
+        }
+        abi::PairBlock block{.n = n, .u_dot_r = u_dot_r, .r2 = pairs.r2()};
+        block.h = set_.scene.kernels[std::size_t(term.kernel)].h;
+        block.c = set_.scene.medium.c0;
+        block.rho = set_.scene.medium.rho0;
+        if (rho >= 0) {
+            double* __restrict mean = pairs.room(density_);
+            const double *__restrict ri = pairs.own(component(rho)), *__restrict rj = pairs.other(component(rho));
+            for (int k = 0; k < n; ++k) mean[k] = 0.5 * (ri[k] + rj[k]);
+            block.rho_each = mean;
+        }
+        double* __restrict Pi = pairs.room(Pi_);
+        term.viscosity->pairs(block, Pi);
+        const double* __restrict slope = pairs.slope(term.kernel);
+        const double mass = set_.mass;
+        if (first)
+            for (int k = 0; k < n; ++k) sum[k] = -mass * slope[k] * Pi[k];
+        else
+            for (int k = 0; k < n; ++k) sum[k] -= mass * slope[k] * Pi[k];
+    }
+};
+
+}    // namespace
+
+std::unique_ptr<Program> make_moving_program(MovingSet& set, const std::vector<int>& variables) {
+    return std::make_unique<MovingProgram>(set, variables);
+}
+
+}    // namespace sphonic

@@ -1,0 +1,113 @@
+#include <sphonic/parameters.hpp>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include <sphonic/json.hpp>
+
+namespace sphonic {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double positive = std::numeric_limits<double>::min();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();    ///< no default: optional, or worked out by the reader
+
+using Type = abi::ParameterType;
+
+abi::ParameterInfo number(const char* name, const char* unit, double lower, double upper, const char* doc, double initial = none) {
+    return {name, unit, lower, upper, doc, "", {.type = Type::real, .real = initial}};
+}
+abi::ParameterInfo text(const char* name, const char* choices, const char* doc, const char* initial = "") {
+    return {name, "1", 0, 0, doc, choices, {.type = Type::text, .text = initial}};
+}
+abi::ParameterInfo point(const char* name, const char* doc) {
+    return {name, "m", -infinite, infinite, doc, "", {.type = Type::vector}};
+}
+
+using Tables = std::map<std::string, std::vector<abi::ParameterInfo>>;
+
+const Tables& tables() {
+    static const Tables all{
+        {"kernel",
+         {number("h", "m", positive, infinite, "smoothing length; this or h_over_dx"),
+          number("h_over_dx", "1", positive, 1000, "smoothing length over particle spacing; this or h")}},
+        {"source", {text("region", "", "condition on x, y, z, r: the particles it acts on, by their initial positions")}},
+        {"reference",
+         {text("region", "", "condition on x, y, z, r: the particles that errors are taken over; all if not given"),
+          number("scale", "Pa", positive, infinite, "pressure P that eps and rms are divided by; the largest exact one if not given")}},
+        {"integrator",
+         {number("dt", "s", positive, infinite, "time step; this, courant or safety"),
+          number("courant", "1", positive, infinite, "c0 dt / courant_length"),
+          text("courant_length", "dx|h", "length in the Courant number", "dx"),
+          number("safety", "1", positive, 1, "fraction of the computed stable step", 0.9),
+          text("unstable", "refuse|allow", "what to do with a step beyond the limit", "refuse")}},
+        {"boundary", {text("face", "", "x_min ... z_max, an axis x, y, z, or all")}},
+        {"arrangement",
+         {number("dx", "m", positive, infinite, "particle spacing"), point("lower", "lower corner of the box"),
+          point("upper", "upper corner of the box"),
+          text("motion", "auto|frozen|lagrangian", "whether particles move; auto is frozen", "auto"),
+          text("neighbours", "auto|lattice|moving", "how neighbours are found", "auto"),
+          text("velocity", "", "the variable that moves the particles", "u")}}};
+    return all;
+}
+
+std::string shortest(double x) { return Json(x).dump(); }
+
+}    // namespace
+
+Json to_json(const abi::Value& value) {
+    switch (value.type) {
+        case Type::real: return value.real;
+        case Type::integer: return value.integer;
+        case Type::boolean: return value.boolean;
+        case Type::text: return value.text;
+        case Type::vector: break;
+    }
+    Json list = Json::array();
+    for (int a = 0; a < value.size; ++a) list.push_back(value.vector[a]);
+    return list;
+}
+
+bool is_required(const abi::ParameterInfo& row) {
+    const double initial = row.initial.type == Type::real ? row.initial.real : double(row.initial.integer);
+    const bool numeric = row.initial.type == Type::real || row.initial.type == Type::integer;
+    return numeric && !(initial >= row.lower && initial <= row.upper);
+}
+
+std::string range_sentence(const abi::ParameterInfo& row) {
+    const std::string unit = std::string(row.unit) == "1" ? "" : std::string(" [") + row.unit + "]";
+    std::string range;
+    if (row.lower == positive) range = "greater than 0";
+    if (row.lower != positive && row.lower > -infinite) range = "at least " + shortest(row.lower);
+    if (row.upper < infinite) range += (range.empty() ? "" : " and ") + ("at most " + shortest(row.upper));
+    return std::string(row.name) + unit + " must be " + (range.empty() ? "a finite number" : range);
+}
+
+std::string range_short(const abi::ParameterInfo& row) {
+    if (row.choices[0]) return row.choices;
+    if (row.initial.type != Type::real && row.initial.type != Type::integer) return "";
+    const std::string low = row.lower == positive ? "> 0" : row.lower > -infinite ? ">= " + shortest(row.lower) : "";
+    const std::string high = row.upper < infinite ? "<= " + shortest(row.upper) : "";
+    return low + (low.empty() || high.empty() ? "" : ", ") + high;
+}
+
+const char* type_name(Type type) {
+    constexpr const char* names[] = {"number", "integer", "boolean", "string", "list of numbers"};
+    return names[int(type)];
+}
+
+std::span<const abi::ParameterInfo> common_keys(const std::string& kind) {
+    const auto found = tables().find(kind);
+    return found == tables().end() ? std::span<const abi::ParameterInfo>{} : found->second;
+}
+
+const abi::ParameterInfo& common_key(const std::string& kind, const std::string& name) {
+    for (const abi::ParameterInfo& row : common_keys(kind))
+        if (row.name == name) return row;
+    throw std::logic_error("no common key " + name + " of kind " + kind);
+}
+
+}    // namespace sphonic
