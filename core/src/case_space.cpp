@@ -97,9 +97,12 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     scene.motion = motion == "lagrangian" ? Motion::lagrangian : Motion::frozen;
     const std::string neighbours = section.read(common_key("arrangement", "neighbours")).text;
     if (neighbours == "lattice") scene.neighbours = Neighbours::lattice;
+    if (neighbours == "frozen") scene.neighbours = Neighbours::frozen;
     if (neighbours == "moving") scene.neighbours = Neighbours::moving;
     if (neighbours == "lattice" && (scene.motion == Motion::lagrangian || !scene.arrangement->regular()))
         section.fail("neighbours", "\"lattice\" needs a frozen, regular arrangement", "Use \"auto\"");
+    if (neighbours == "frozen" && scene.motion == Motion::lagrangian)
+        section.fail("neighbours", "\"frozen\" needs particles that do not move", "Use \"auto\"");
     scene.velocity_name = section.read(common_key("arrangement", "velocity")).text;
     section.finish();
     root.resolved["particles"] = section.resolved;

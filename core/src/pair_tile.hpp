@@ -13,6 +13,7 @@ namespace sphonic {
 struct PairTile {
     long begin = 0, end = 0;    ///< particles
     int n = 0;                  ///< pairs
+    std::int64_t base = 0;      ///< index of the first pair in the whole list
     std::vector<int> first;     ///< [end - begin + 1]
     const std::int64_t* first_run = nullptr;    ///< of particle `begin`
     const Run* runs = nullptr;                  ///< of the whole set

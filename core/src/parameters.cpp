@@ -49,7 +49,7 @@ const Tables& tables() {
          {number("dx", "m", positive, infinite, "particle spacing"), point("lower", "lower corner of the box"),
           point("upper", "upper corner of the box"),
           text("motion", "auto|frozen|lagrangian", "whether particles move; auto is frozen", "auto"),
-          text("neighbours", "auto|lattice|moving", "how neighbours are found", "auto"),
+          text("neighbours", "auto|lattice|frozen|moving", "how neighbours are found", "auto"),
           text("velocity", "", "the variable that moves the particles", "u")}}};
     return all;
 }

@@ -24,8 +24,10 @@ Components::Components(const Equations& equations, int dimension, bool moving) {
 namespace {
 
 std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const double* const* x) {
-    const bool lattice = scene.motion == Motion::frozen && scene.arrangement->regular() && scene.neighbours != Neighbours::moving;
-    return lattice ? make_lattice_tier(scene, components) : make_moving_tier(scene, components, x);
+    const bool still = scene.motion == Motion::frozen, automatic = scene.neighbours == Neighbours::automatic;
+    if (scene.neighbours == Neighbours::lattice || (automatic && still && scene.arrangement->regular()))
+        return make_lattice_tier(scene, components);
+    return make_list_tier(scene, components, x, still && scene.neighbours != Neighbours::moving);
 }
 
 }    // namespace

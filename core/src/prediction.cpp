@@ -19,6 +19,7 @@ struct Cost {
 };
 Cost cost_of(const std::string& tier) {
     if (tier == "lattice") return {0.3, 0.11, 0.12};
+    if (tier == "frozen") return {10, 3.5, 1.0};
     if (tier == "moving") return {10, 5.5, 1.0};
     return {0.3, 0, 0};
 }
@@ -101,7 +102,8 @@ Prediction predict(const Case& scene, const Summary& prepared) {
         out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->direction) - 1;
         if (std::abs(*out.speed_error) > 1e-3)
             out.warnings.push_back("long waves run at the wrong speed by " + percent(*out.speed_error) +
-                                   ": refining dx at fixed h/dx will not converge. Choose another h/dx (cubic_spline: 1 or 2)");
+                                   ": refining dx at fixed h/dx will not converge. Choose another h/dx" +
+                                   (scene.box.dimension == 1 ? ", such as 1 with cubic_spline" : ""));
         predict_waves(scene, prepared, out);
     }
     out.basis += "cpu_s: cost per neighbour on the reference machine";

@@ -48,6 +48,6 @@ public:
 
 std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components);
 /// `x` by axis, in particle order.
-std::unique_ptr<Tier> make_moving_tier(const Case& scene, const Components& components, const double* const* x);
+std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const double* const* x, bool frozen);
 
 }    // namespace sphonic

@@ -19,7 +19,7 @@
 namespace sphonic {
 
 enum class Motion { frozen, lagrangian };
-enum class Neighbours { automatic, lattice, moving };
+enum class Neighbours { automatic, lattice, frozen, moving };
 
 struct SourceUse {
     std::unique_ptr<abi::Source> source;

@@ -2,7 +2,7 @@
 
 #include <sphonic/error.hpp>
 
-#include "moving_set.hpp"
+#include "pair_set.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
@@ -10,25 +10,30 @@ namespace {
 
 constexpr double skin_over_dx = 0.25;
 
-class MovingTier final : public Tier {
+/// Particles that find each other by a neighbour list. A frozen set keeps its pairs' geometry; a moving one computes it
+/// at every evaluation.
+class ListTier final : public Tier {
 public:
-    MovingTier(const Case& scene, const Components& components, const double* const* x)
-        : set_{.scene = scene,
+    ListTier(const Case& scene, const Components& components, const double* const* x, bool frozen)
+        : skin_(frozen ? 0 : skin_over_dx * scene.box.dx),
+          set_{.scene = scene,
                .components = components,
                .layout = Layout::flat(scene.arrangement->size(scene.box)),
-               .list = NeighbourList(scene.box, scene.arrangement->size(scene.box), scene.radius(), skin_over_dx * scene.box.dx)} {
+               .list = NeighbourList(scene.box, scene.arrangement->size(scene.box), scene.radius(), skin_)} {
         set_.volume = lattice_volume(scene.box);
         set_.mass = scene.medium.rho0 * set_.volume;
         check_box();
-        std::copy_n(x, scene.box.dimension, set_.x);
-        set_.list.update(x);
+        moved(x);
         neighbours_mean_ = set_.list.mean_within_radius(x);
+        if (!frozen) return;
+        geometry_ = keep_geometry(set_);
+        set_.kept = &geometry_;
     }
 
-    const char* name() const override { return "moving"; }
+    const char* name() const override { return set_.kept ? "frozen" : "moving"; }
     const Layout& layout() const override { return set_.layout; }
     std::unique_ptr<Program> compile(const std::vector<int>& variables) override {
-        return make_moving_program(set_, variables);
+        return make_pair_program(set_, variables);
     }
     void fill_ghosts(double*) const override {}
     void moved(const double* const* x) override {
@@ -36,15 +41,22 @@ public:
         set_.list.update(x);
     }
     double neighbours_mean() const override { return neighbours_mean_; }
-    double bytes() const override { return set_.list.bytes(); }
+    double bytes() const override {
+        double total = set_.list.bytes() + 8.0 * double(geometry_.r2.size());
+        for (const Array& r : geometry_.r) total += 8.0 * double(r.size());
+        for (const Array& slope : geometry_.slope) total += 8.0 * double(slope.size());
+        return total;
+    }
 
 private:
-    MovingSet set_;
+    double skin_;
+    PairSet set_;
+    PairGeometry geometry_;
     double neighbours_mean_ = 0;
 
     void check_box() const {
         const abi::Box& box = set_.scene.box;
-        const double radius = set_.scene.radius() + skin_over_dx * box.dx;
+        const double radius = set_.scene.radius() + skin_;
         for (int a = 0; a < box.dimension; ++a)
             if (box.periodic[a] && box.upper[a] - box.lower[a] < 2 * radius)
                 throw Error(Fault::input, set_.scene.file + ": /particles/upper",
@@ -56,8 +68,8 @@ private:
 
 }    // namespace
 
-std::unique_ptr<Tier> make_moving_tier(const Case& scene, const Components& components, const double* const* x) {
-    return std::make_unique<MovingTier>(scene, components, x);
+std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const double* const* x, bool frozen) {
+    return std::make_unique<ListTier>(scene, components, x, frozen);
 }
 
 }    // namespace sphonic

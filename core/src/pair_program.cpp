@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moving_set.hpp"
+#include "pair_set.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
 namespace {
 
 /// Rate terms on a moving set: tile by tile, every term as one scalar per pair.
-class MovingProgram final : public Program {
+class PairProgram final : public Program {
 public:
-    MovingProgram(MovingSet& set, const std::vector<int>& variables)
+    PairProgram(PairSet& set, const std::vector<int>& variables)
         : set_(set), variables_(variables), pairs_(set, components_read(set, variables)) {}
 
     void evaluate(const Evaluation& e) override {
@@ -22,19 +22,19 @@ public:
     }
 
 private:
-    MovingSet& set_;
+    PairSet& set_;
     std::vector<int> variables_;
     PairValues pairs_;
     Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_;
 
-    static std::vector<int> components_read(const MovingSet& set, const std::vector<int>& variables) {
+    static std::vector<int> components_read(const PairSet& set, const std::vector<int>& variables) {
         const Equations& e = set.scene.equations;
         std::vector<int> read;
         const auto add = [&](int v) {
             for (int c = 0; c < e.variables[std::size_t(v)].components(set.scene.box.dimension); ++c)
                 read.push_back(set.components.first[std::size_t(v)] + c);
         };
-        if (e.density >= 0) add(e.density);
+        if (set.density() >= 0) add(set.density());
         for (const int v : variables)
             for (const Term& term : e.variables[std::size_t(v)].terms) {
                 add(term.operand);
@@ -90,7 +90,7 @@ private:
 
     std::pair<Coefficient, Coefficient> coefficients(const Term& term, PairValues& pairs) {
         double *own = pairs.room(own_), *other = pairs.room(other_);
-        const int rho = set_.scene.equations.density;
+        const int rho = set_.density();
         if (term.form->uniform() || rho < 0) {
             const RestCoefficients c = rest_coefficients(*term.form, set_.scene.medium.rho0);
             own[0] = c.own, other[0] = c.other;
@@ -122,7 +122,7 @@ private:
     }
 
     void multiply(double* __restrict value, PairValues& pairs, const Factor& factor) const {
-        const bool inverse = factor.power < 0, density = factor.variable == set_.scene.equations.density;
+        const bool inverse = factor.power < 0, density = factor.variable == set_.density();
         const double* __restrict f = inverse && density ? pairs.own_inverse_rho() : pairs.own(component(factor.variable));
         const int n = pairs.n();
         for (int p = 0; p < std::abs(factor.power); ++p) {
@@ -134,7 +134,7 @@ private:
     }
 
     void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
-        const int n = pairs.n(), rho = set_.scene.equations.density;
+        const int n = pairs.n(), rho = set_.density();
         double* __restrict u_dot_r = pairs.room(u_dot_r_);
         for (int a = 0; a < set_.scene.box.dimension; ++a) {
             const int c = component(term.operand) + a;
@@ -167,8 +167,8 @@ private:
 
 }    // namespace
 
-std::unique_ptr<Program> make_moving_program(MovingSet& set, const std::vector<int>& variables) {
-    return std::make_unique<MovingProgram>(set, variables);
+std::unique_ptr<Program> make_pair_program(PairSet& set, const std::vector<int>& variables) {
+    return std::make_unique<PairProgram>(set, variables);
 }
 
 }    // namespace sphonic

@@ -1,0 +1,103 @@
+#pragma once
+#include <vector>
+
+#include <sphonic/case.hpp>
+
+#include "neighbour_list.hpp"
+#include "pair_tile.hpp"
+#include "tier.hpp"
+
+namespace sphonic {
+
+inline constexpr long pairs_per_tile = 288;    ///< some twenty arrays of this length stay in the first-level cache
+
+/// Separations and kernel slopes of consecutive pairs; those of a frozen set are kept for the whole run.
+struct PairGeometry {
+    Array r[3];                    ///< r_ij by axis [m]
+    Array r2;                      ///< [m^2]
+    std::vector<Array> slope;      ///< (dW/dr)/r by kernel [m^-(d+2)]
+};
+
+/// What the programs of one set with a neighbour list share.
+struct PairSet {
+    const Case& scene;
+    const Components& components;
+    Layout layout;
+    NeighbourList list;
+    const double* x[3] = {};          ///< by axis
+    double mass = 0;                  ///< [kg], the same for all
+    double volume = 0;                ///< [m^d], where there is no current density
+    const PairGeometry* kept = nullptr;    ///< of all pairs, on frozen sets
+
+    /// The variable rho where volumes and forms follow it: on moving sets. Frozen geometry is that of rest.
+    int density() const { return kept ? -1 : scene.equations.density; }
+};
+
+/// Cuts the particles into tiles of about `pairs_per_tile` pairs; the cut depends on the scene only.
+template <class Visit>
+void for_tiles(const PairSet& set, Visit visit) {
+    const auto& start = set.list.start();
+    PairTile tile;
+    const long n = set.layout.particles();
+    for (tile.begin = 0; tile.begin < n; tile.begin = tile.end) {
+        tile.first.assign(1, 0);
+        const std::int64_t base = start[std::size_t(tile.begin)];
+        tile.end = tile.begin;
+        while (tile.end < n && (tile.end == tile.begin || start[std::size_t(tile.end) + 1] - base <= pairs_per_tile))
+            tile.first.push_back(int(start[std::size_t(++tile.end)] - base));
+        tile.n = tile.first.back();
+        tile.first_run = set.list.first_run().data() + tile.begin;
+        tile.runs = set.list.runs().data();
+        tile.base = base;
+        visit(tile);
+    }
+}
+
+/// Per-pair values of a tile: separations, kernel slopes, and both sides' values of the components in use.
+class PairValues {
+public:
+    /// `components` are those that the program reads.
+    PairValues(const PairSet& set, const std::vector<int>& components);
+
+    /// Once per evaluation, before any tile.
+    void begin(const double* const* state);
+    void start(const PairTile& tile);
+
+    int n() const { return tile_->n; }
+    const double* r(int axis) const { return r_[axis]; }
+    const double* r2() const { return r2_; }
+    /// (dW/dr)/r, and the same times V_j.
+    const double* slope(int kernel) const { return slope_[std::size_t(kernel)]; }
+    const double* weight(int kernel) const { return weight_[std::size_t(kernel)].data(); }
+    const double* own(int component) const { return own_[std::size_t(component)].data(); }
+    const double* other(int component) const { return other_[std::size_t(component)].data(); }
+    const double* own_inverse_rho() const { return own_.back().data(); }
+    const double* other_inverse_rho() const { return other_.back().data(); }
+    /// A scratch array of the tile's length.
+    double* room(Array& array) const;
+
+private:
+    const PairSet& set_;
+    std::vector<int> components_;
+    const double* const* state_ = nullptr;
+    const PairTile* tile_ = nullptr;
+    PairGeometry computed_;
+    const double *r_[3] = {}, *r2_ = nullptr;    ///< into the computed or the kept geometry
+    std::vector<const double*> slope_;
+    Array distance_, inverse_rho_;
+    std::vector<Array> weight_, own_, other_;
+    std::vector<Packing> packings_;
+
+    void pack_tile();
+    void compute_geometry();
+    void point_to(const PairGeometry& geometry, std::int64_t offset);
+    void weigh(double* weight, const double* slope) const;
+};
+
+/// The geometry of all pairs of a set that will not move.
+PairGeometry keep_geometry(const PairSet& set);
+
+/// In pair_program.cpp.
+std::unique_ptr<Program> make_pair_program(PairSet& set, const std::vector<int>& variables);
+
+}    // namespace sphonic
