@@ -93,13 +93,15 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     std::copy(lower.begin(), lower.end(), box.lower);
     std::copy(upper.begin(), upper.end(), box.upper);
     count_sites(box, section);
+    scene.jitter = section.real(common_key("arrangement", "jitter"));
+    scene.seed = section.read(common_key("arrangement", "seed")).integer;
     const std::string motion = section.read(common_key("arrangement", "motion")).text;
     scene.motion = motion == "lagrangian" ? Motion::lagrangian : Motion::frozen;
     const std::string neighbours = section.read(common_key("arrangement", "neighbours")).text;
     if (neighbours == "lattice") scene.neighbours = Neighbours::lattice;
     if (neighbours == "frozen") scene.neighbours = Neighbours::frozen;
     if (neighbours == "moving") scene.neighbours = Neighbours::moving;
-    if (neighbours == "lattice" && (scene.motion == Motion::lagrangian || !scene.arrangement->regular()))
+    if (neighbours == "lattice" && (scene.motion == Motion::lagrangian || !scene.regular()))
         section.fail("neighbours", "\"lattice\" needs a frozen, regular arrangement", "Use \"auto\"");
     if (neighbours == "frozen" && scene.motion == Motion::lagrangian)
         section.fail("neighbours", "\"frozen\" needs particles that do not move", "Use \"auto\"");

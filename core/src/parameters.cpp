@@ -23,6 +23,9 @@ abi::ParameterInfo number(const char* name, const char* unit, double lower, doub
 abi::ParameterInfo text(const char* name, const char* choices, const char* doc, const char* initial = "") {
     return {name, "1", 0, 0, doc, choices, {.type = Type::text, .text = initial}};
 }
+abi::ParameterInfo integer(const char* name, double lower, double upper, const char* doc, std::int64_t initial) {
+    return {name, "1", lower, upper, doc, "", {.type = Type::integer, .integer = initial}};
+}
 abi::ParameterInfo point(const char* name, const char* doc) {
     return {name, "m", -infinite, infinite, doc, "", {.type = Type::vector}};
 }
@@ -48,7 +51,8 @@ const Tables& tables() {
         {"arrangement",
          {number("dx", "m", positive, infinite, "particle spacing"), point("lower", "lower corner of the box"),
           point("upper", "upper corner of the box"),
-          text("motion", "auto|frozen|lagrangian", "whether particles move; auto is frozen", "auto"),
+          number("jitter", "dx", 0, 0.5, "largest random displacement along each axis; faces of the box keep their particles", 0),
+          integer("seed", 0, 2147483647, "of the jitter", 1), text("motion", "auto|frozen|lagrangian", "whether particles move; auto is frozen", "auto"),
           text("neighbours", "auto|lattice|frozen|moving", "how neighbours are found", "auto"),
           text("velocity", "", "the variable that moves the particles", "u")}}};
     return all;

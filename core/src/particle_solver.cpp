@@ -11,7 +11,7 @@ namespace {
 
 class ParticleSolver final : public abi::Solver {
 public:
-    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), dt_limit_(step_limit(scene).dt) {}
+    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), dt_limit_(limit(scene, system_)) {}
 
     double dt_limit() const override { return dt_limit_; }
     void start(double dt) override {
@@ -57,6 +57,16 @@ public:
     }
 
 private:
+    /// On a lattice by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is the
+    /// assembled operator's.
+    static double limit(const Case& scene, ParticleSystem& system) {
+        const StepLimit lattice = step_limit(scene);
+        if (scene.regular()) return lattice.dt;
+        constexpr int iterations = 150;
+        constexpr double margin = 0.98;    // power iteration approaches the largest frequency from below
+        return margin * lattice.dt * lattice.frequency / system.largest_frequency(iterations);
+    }
+
     const Case& scene_;
     ParticleSystem system_;
     double dt_limit_, dt_ = 0;

@@ -1,7 +1,6 @@
 #include "particle_system.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include <sphonic/error.hpp>
@@ -25,7 +24,7 @@ namespace {
 
 std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const double* const* x) {
     const bool still = scene.motion == Motion::frozen, automatic = scene.neighbours == Neighbours::automatic;
-    if (scene.neighbours == Neighbours::lattice || (automatic && still && scene.arrangement->regular()))
+    if (scene.neighbours == Neighbours::lattice || (automatic && still && scene.regular()))
         return make_lattice_tier(scene, components);
     return make_list_tier(scene, components, x, still && scene.neighbours != Neighbours::moving);
 }
@@ -44,15 +43,6 @@ ParticleSystem::ParticleSystem(const Case& scene)
     order_algebraic();
     make_parts();
     enlist_sources();
-}
-
-void ParticleSystem::place_particles() {
-    double* x[3] = {};
-    for (int a = 0; a < scene_.box.dimension; ++a) {
-        x_[a].resize(std::size_t(scene_.arrangement->size(scene_.box) + overrun));
-        x[a] = x_[a].data();
-    }
-    scene_.arrangement->place(scene_.box, x);
 }
 
 ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool positions) {
@@ -95,25 +85,6 @@ void ParticleSystem::make_parts() {
 ParticleSystem::Part& ParticleSystem::part(abi::Group group) {
     const int split = groups();
     return parts_[std::size_t(group >= 0 ? group : split - 1 - group)];    // -1, -2, -3 follow the splitting groups
-}
-
-void ParticleSystem::enlist_sources() {
-    const auto index = field_indices(layout());
-    for (const SourceUse& use : scene_.sources) {
-        Members members{.source = use.source.get(), .at = {}, .x = {}, .p = {}, .u = {}};
-        std::vector<double> point(3);
-        for (std::size_t i = 0; i < index.size(); ++i) {
-            for (int a = 0; a < scene_.box.dimension; ++a) point[std::size_t(a)] = x_[a][i];
-            if (!use.region.contains(point.data())) continue;
-            members.at.push_back(index[i]);
-            for (int a = 0; a < scene_.box.dimension; ++a) members.x[a].push_back(x_[a][i]);
-        }
-        if (members.at.empty())
-            throw Error(Fault::input, use.place, "no particle lies in \"" + use.region.text() + "\"", "Choose a region inside the box");
-        members.p.resize(members.at.size());
-        for (int a = 0; a < scene_.box.dimension; ++a) members.u[a].resize(members.at.size());
-        members_.push_back(std::move(members));
-    }
 }
 
 void ParticleSystem::evaluate(Part& part, abi::Slot out, double scale, bool assign) {
@@ -235,42 +206,6 @@ void ParticleSystem::impose(Members& members, double t, bool pressure, bool velo
         double* field_a = store_.array(abi::state, components_.first[std::size_t(u)] + a);
         for (std::size_t i = 0; i < members.at.size(); ++i) field_a[members.at[i]] = members.u[a][i];
     }
-}
-
-/// Sets a scalar, or, where it is algebraic, the evolved variable that it is computed from.
-void ParticleSystem::set_scalar(int v, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value) {
-    const auto& variables = scene_.equations.variables;
-    for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of)
-        variables[std::size_t(v)].state->invert(scene_.medium, int(value.size()), value.data(), value.data());
-    double* target = store_.array(abi::state, components_.first[std::size_t(v)]);
-    for (std::size_t i = 0; i < at.size(); ++i) target[at[i]] = value[i];
-}
-
-void ParticleSystem::set_initial_fields() {
-    const auto at = field_indices(layout());
-    std::vector<double> value(at.size());
-    const abi::Points points{scene_.box.dimension, int(at.size()), {x_[0].data(), x_[1].data(), x_[2].data()}};
-    for (const InitialField& field : scene_.initial) {
-        const int v = scene_.equations.find(field.variable);
-        const int components = scene_.equations.variables[std::size_t(v)].components(scene_.box.dimension);
-        for (int c = 0; c < components; ++c) {
-            scene_.initial_values(field.variable, c, points, value.data());
-            if (components == 1)
-                set_scalar(v, at, value);
-            else
-                scatter(layout(), value.data(), store_.array(abi::state, components_.first[std::size_t(v)] + c));
-        }
-    }
-}
-
-void ParticleSystem::initialise() {
-    if (moving())
-        for (int a = 0; a < scene_.box.dimension; ++a)
-            scatter(layout(), x_[a].data(), store_.array(abi::state, components_.positions + a));
-    set_initial_fields();
-    for (Members& members : members_)
-        impose(members, 0, false, members.source->imposed().velocity_at_start);
-    settle(abi::everything, 0);
 }
 
 std::array<const double*, 3> ParticleSystem::positions() {

@@ -36,6 +36,9 @@ public:
     /// Coordinate of each particle by axis, in particle order.
     std::array<const double*, 3> positions();
     double bytes() const;
+    /// Largest |eigenvalue| of the assembled, linearised operator [1/s] by power iteration on its square, from below.
+    /// For sets with a neighbour list; leaves the fields zero.
+    double largest_frequency(int iterations);
     /// The rate of one variable's component 0 ... into a named slot, without changing the state.
     void rate_of(int variable, double t, abi::Slot out);
 
@@ -69,6 +72,7 @@ private:
     int evolved_behind(int variable) const;    ///< itself, if it is evolved
     void order_algebraic();
     void place_particles();
+    void displace(double* const* x) const;
     void make_parts();
     Part make_part(std::vector<int> variables, bool positions);
     bool reads(const Part& part) const;

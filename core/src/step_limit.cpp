@@ -110,14 +110,14 @@ double amplification(const Case& scene, double dt) { return worst_root(scene, de
 StepLimit step_limit(const Case& scene) {
     const std::vector<Mode> modes = demanding_modes(scene);
     const double omega = modes.front().frequency;
-    if (!(omega > 0)) return {std::numeric_limits<double>::infinity(), false};
+    if (!(omega > 0)) return {std::numeric_limits<double>::infinity(), 0, false};
     const double strict = last_stable(strict_least / omega, 20 / omega,
                                       [&](double dt) { return worst_root(scene, modes, dt) <= 1 + tolerance; });
-    if (strict > 0) return {strict, false};
+    if (strict > 0) return {strict, omega, false};
     const auto exponent = [&](double dt) { return scene.until / dt * std::log(worst_root(scene, modes, dt)); };
     double least = strict_least / omega;
     while (least > 1e-9 / omega && exponent(least) > weak_exponent) least *= 0.5;
-    return {last_stable(least, 20 / omega, [&](double dt) { return exponent(dt) <= weak_exponent; }), true};
+    return {last_stable(least, 20 / omega, [&](double dt) { return exponent(dt) <= weak_exponent; }), omega, true};
 }
 
 }    // namespace sphonic

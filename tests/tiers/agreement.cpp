@@ -78,6 +78,46 @@ TEST_CASE("the staggered energy of an adjoint pair is constant to round-off", "[
             }
 }
 
+TEST_CASE("the adjoint pair conserves its energy on a disordered set too", "[energy]") {
+    for (const int d : {1, 2, 3}) {
+        std::vector<std::string> set = sound(d);
+        set.insert(set.end(), {"/particles/jitter=0.2", "/particles/seed=7", "/integrator={\"type\":\"symplectic_euler\"}",
+                               "/kernel/h_over_dx=1.3", "/until=0.5"});
+        const Summary s = run(scene(periodic_box(d, d == 3 ? 11 : 21), set));
+        INFO(d << "-D");
+        CHECK(s.tier == "frozen");
+        CHECK(s.energy_final == Approx(s.energy_initial).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("the computed limit of a disordered set holds: stable below it and lost beyond", "[energy]") {
+    const auto growth = [](double fraction) {
+        const std::vector<std::string> set{"/particles/jitter=0.2", "/kernel/h_over_dx=1.3", "/initial/p=cos(1000*x)"};
+        const Case probe = scene(periodic_box(2, 21), set);
+        auto all = set;
+        all.insert(all.end(), {"/integrator={\"type\":\"symplectic_euler\",\"unstable\":\"allow\",\"dt\":" +
+                                   Json(fraction * Simulation(probe).summary().dt_limit).dump() + "}", "/until=40"});
+        const Summary s = run(scene(periodic_box(2, 21), all));
+        return std::abs(s.energy_final / s.energy_initial);
+    };
+    CHECK(growth(0.99) < 1.0001);
+    CHECK_FALSE(growth(1.05) < 1e3);
+}
+
+TEST_CASE("a jittered set leaves the particles on its faces there", "[arrangement]") {
+    const Case c = scene(periodic_box(2, 10), {R"(/boundaries=[])", "/particles/jitter=0.3"});
+    const Profile p = Simulation(c).profile();
+    long on_face = 0, moved = 0;
+    for (std::size_t i = 0; i < p.p.size(); ++i) {
+        on_face += p.x[0][i] == 0;
+        moved += std::abs(p.x[0][i] * 10 - std::round(p.x[0][i] * 10)) > 1e-9;
+        CHECK(p.x[0][i] >= 0);
+        CHECK(p.x[0][i] <= 1 + 1e-12);
+    }
+    CHECK(on_face == 11);
+    CHECK(moved == 99);
+}
+
 TEST_CASE("viscosity takes energy away and never gives any", "[energy]") {
     for (const int d : {1, 2}) {
         std::vector<std::string> set = sound(d);

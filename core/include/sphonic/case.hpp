@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -59,6 +60,8 @@ struct Case {
     abi::Medium medium;
     abi::Box box;
     std::unique_ptr<abi::Arrangement> arrangement;
+    double jitter = 0;    ///< in units of dx
+    std::int64_t seed = 1;
     Motion motion = Motion::frozen;
     std::string velocity_name = "u";    ///< the variable that moves the particles
     Neighbours neighbours = Neighbours::automatic;
@@ -83,6 +86,8 @@ struct Case {
 
     /// Initial values of a variable's component at points; false, and nothing written, if the case gives none.
     bool initial_values(const std::string& variable, int component, const abi::Points& points, double* out) const;
+    /// True where particles sit exactly on lattice sites.
+    bool regular() const { return arrangement->regular() && jitter == 0; }
     /// Largest interaction radius of the kernels [m].
     double radius() const;
 };

@@ -26,6 +26,7 @@ double amplification(const Case& scene, double dt);
 
 struct StepLimit {
     double dt = 0;         ///< largest stable step [s]
+    double frequency = 0;  ///< largest of the operator's over the zone [1/s]
     bool weak = false;     ///< the integrator grows at any step: dt is where the worst mode grows by e^12 within `until`
 };
 
