@@ -17,7 +17,7 @@ Json check_json(const Summary& s, const Prediction& p) {
     Json warnings = p.warnings;
     for (const std::string& warning : s.warnings) warnings.push_back(warning);
     return {{"title", s.title}, {"particles", s.particles}, {"tier", s.tier}, {"neighbours_mean", s.neighbours_mean},
-            {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit},
+            {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak},
             {"predicted", {{"l2", optional_json(p.l2)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
                            {"memory_bytes", p.memory_bytes}, {"basis", p.basis}}},
             {"warnings", warnings}};
@@ -38,7 +38,8 @@ int check(const RunOptions& options) {
     const double courant = scene.medium.c0 / scene.box.dx;
     std::printf("%s: the case is sound\n", s.title.c_str());
     std::printf("  %ld particles, %s tier, %.1f neighbours, %ld steps\n", s.particles, s.tier.c_str(), s.neighbours_mean, s.steps);
-    std::printf("  step %.4g s (c0 dt/dx = %.4g), limit %.4g s (c0 dt/dx = %.4g)\n", s.dt, s.dt * courant, s.dt_limit, s.dt_limit * courant);
+    std::printf("  step %.4g s (c0 dt/dx = %.4g), %s %.4g s (c0 dt/dx = %.4g)\n", s.dt, s.dt * courant,
+                s.weak ? "grows at any step, by less than e^12 in this run up to" : "stable to", s.dt_limit, s.dt_limit * courant);
     if (p.speed_error) std::printf("  predicted speed of long waves: %+.3g %%\n", 100 * *p.speed_error);
     if (p.l2) std::printf("  predicted L2 error: %.3g\n", *p.l2);
     std::printf("  predicted cost: %.3g s of CPU, %.3g MB\n", p.cpu_s, 1e-6 * p.memory_bytes);

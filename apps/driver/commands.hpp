@@ -24,5 +24,8 @@ int check(const RunOptions& options);
 int study(const RunOptions& options);
 int list(const Common& options);
 int describe(const Common& options, const std::string& kind, const std::string& name);
+int schema(const Common& options);
+/// `folder` empty: the kind's own folder in the source tree around the current one.
+int new_plugin(const Common& options, const std::string& kind, const std::string& name, const std::filesystem::path& folder);
 
 }    // namespace sphonic::driver

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     RunOptions options;
     std::string kind, name;
+    std::filesystem::path folder;
     int result = 0;
 
     auto* run_command = app.add_subcommand("run", "run a case, compare it with its reference, write results and charts");
@@ -63,6 +64,17 @@ int main(int argc, char** argv) {
     add_common(*describe_command, options);
     describe_command->callback([&] { result = describe(options, kind, name); });
 
+    auto* schema_command = app.add_subcommand("schema", "the JSON Schema of a case, with the parameters of all plugins found");
+    add_common(*schema_command, options);
+    schema_command->callback([&] { result = schema(options); });
+
+    auto* new_command = app.add_subcommand("new", "the source of a new plugin, which builds and works as it is");
+    new_command->add_option("KIND", kind, "kernel, viscosity, source, ...")->required();
+    new_command->add_option("NAME", name, "lower_snake_case")->required();
+    new_command->add_option("--dir", folder, "folder to write to; default plugins/KINDS of the source tree around this folder");
+    add_common(*new_command, options);
+    new_command->callback([&] { result = new_plugin(options, kind, name, folder); });
+
     try {
         app.parse(argc, argv);
         std::cout.flush();
@@ -73,7 +85,7 @@ int main(int argc, char** argv) {
             app.exit(e, std::cout, std::cerr);
             return int(sphonic::Fault::input);
         }
-        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, list, describe");
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, list, describe, schema, new");
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);

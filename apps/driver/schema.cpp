@@ -264,7 +264,7 @@ Json method_rule(const Plugins& plugins, Registry& registry) {
             for (const abi::ParameterInfo& row : plugin->parameters) values.push_back(row.initial);
             if (!registry.create<abi::Method>(*plugin, values)->meshfree()) without.push_back(plugin->name);
         }
-    const Json some = object({{"properties", object({{"kernels", object({{"minProperties", 1}})}})}, {"required", {"kernels"}}});
+    const Json some = object({{"properties", object({{"kernels", object({{"minProperties", 1}})}})}, {"required", Names{"kernels"}}});
     Json needs = requiring({"equations"});
     needs["properties"] = object({{"equations", requiring({"p", "u"})}});
     needs["anyOf"] = Json::array({requiring({"kernel"}), some});

@@ -11,9 +11,10 @@ namespace {
 
 class ParticleSolver final : public abi::Solver {
 public:
-    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), dt_limit_(limit(scene, system_)) {}
+    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), limit_(limit(scene, system_)) {}
 
-    double dt_limit() const override { return dt_limit_; }
+    double dt_limit() const override { return limit_.dt; }
+    bool weakly_unstable() const override { return limit_.weak; }
     void start(double dt) override {
         dt_ = dt;
         system_.initialise();
@@ -45,8 +46,9 @@ public:
         const abi::Snapshot shot = snapshot();
         const int u = scene_.equations.find("u");
         abi::Stagger stagger = scene_.integrator->stagger();
+        if (stagger == abi::Stagger::behind_after_start) stagger = index_ == 0 ? abi::Stagger::centred : abi::Stagger::behind;
         if (u < 0 || !scene_.equations.variables[std::size_t(u)].evolved()) stagger = abi::Stagger::none;
-        const abi::Slot rates = stagger == abi::Stagger::none ? abi::state : system_.history("energy");
+        const abi::Slot rates = stagger == abi::Stagger::none ? abi::state : system_.history("core: rate for the energy");
         if (rates != abi::state) system_.rate_of(u, time(), rates);
         const auto& m = scene_.medium;
         double sum = 0;
@@ -59,17 +61,21 @@ public:
 private:
     /// On a lattice by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is the
     /// assembled operator's.
-    static double limit(const Case& scene, ParticleSystem& system) {
-        const StepLimit lattice = step_limit(scene);
-        if (scene.regular()) return lattice.dt;
+    static StepLimit limit(const Case& scene, ParticleSystem& system) {
+        StepLimit limit = step_limit(scene);
+        if (scene.regular()) return limit;
         constexpr int iterations = 150;
         constexpr double margin = 0.98;    // power iteration approaches the largest frequency from below
-        return margin * lattice.dt * lattice.frequency / system.largest_frequency(iterations);
+        const double frequency = system.largest_frequency(iterations);
+        limit.dt *= margin * limit.frequency / frequency;
+        limit.frequency = frequency;
+        return limit;
     }
 
     const Case& scene_;
     ParticleSystem system_;
-    double dt_limit_, dt_ = 0;
+    StepLimit limit_;
+    double dt_ = 0;
     long index_ = 0;
     std::vector<double> p_, u_[3], rate_;
 

@@ -6,7 +6,7 @@
 namespace sphonic {
 
 double ParticleSystem::largest_frequency(int iterations) {
-    const abi::Slot rates = store_.history("rate");
+    const abi::Slot rates = store_.history("core: rate");
     const Part& all = part(abi::fields);
     const int pressure = components_.first[std::size_t(evolved_behind(scene_.equations.find("p")))];
     const double impedance = scene_.medium.rho0 * scene_.medium.c0;

@@ -110,7 +110,7 @@ void ParticleSystem::rate_of(int variable, double, abi::Slot out) {
 void ParticleSystem::advance(abi::Group group, double t, double dt) {
     Part& p = part(group);
     if (!p.reads_itself) return evaluate(p, abi::state, dt, false);
-    const abi::Slot scratch = store_.history("rate");
+    const abi::Slot scratch = store_.history("core: rate");
     rate(group, t, scratch);
     axpy(group, dt, scratch, abi::state);
 }

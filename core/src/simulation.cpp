@@ -54,12 +54,17 @@ Simulation::~Simulation() = default;
 void Simulation::fix_step() {
     const StepChoice& choice = scene_.step;
     summary_.dt_limit = solver_->dt_limit();
+    summary_.weak = solver_->weakly_unstable();
     double dt = choice.safety * summary_.dt_limit;
     std::string key = "safety";
     if (choice.dt) dt = *choice.dt, key = "dt";
     if (choice.courant) dt = *choice.courant * choice.courant_length / scene_.medium.c0, key = "courant";
     const std::string place = scene_.file + ": /integrator/" + key;
     if (!std::isfinite(dt)) throw Error(Fault::input, place, "no stable limit is known for this set", "Give dt or courant");
+    if (summary_.dt_limit == 0 && !choice.allow_unstable)
+        throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" is unstable at every step",
+                    "Choose another integrator, or set \"unstable\": \"allow\" to study the failure");
+    if (dt == 0) throw Error(Fault::input, place, "no step is stable", "Give dt or courant");
     const double steps = std::max(1.0, std::ceil(scene_.until / dt - 1e-9));
     if (steps > 1e15) throw Error(Fault::input, place, "the run would take " + shown(steps) + " steps", "Choose a larger step or a shorter run");
     summary_.steps = long(steps);
@@ -208,7 +213,7 @@ Json to_json(const Summary& s) {
                   {"n", s.errors->n}, {"scale", s.errors->scale}};
     const double per_step = s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0;
     return {{"title", s.title}, {"method", s.method}, {"integrator", s.integrator}, {"steps", s.steps}, {"dt", s.dt},
-            {"dt_limit", s.dt_limit}, {"particles", s.particles}, {"neighbours_mean", s.neighbours_mean}, {"tier", s.tier},
+            {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak}, {"particles", s.particles}, {"neighbours_mean", s.neighbours_mean}, {"tier", s.tier},
             {"threads", s.threads}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"setup_s", s.setup_s},
             {"ns_per_particle_step", per_step}, {"particle_steps", s.particle_steps},
             {"nominal_particle_steps", double(s.particles) * double(s.steps)}, {"memory_bytes", s.memory_bytes},

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double tolerance = 1e-7;          ///< of |xi|: a double root on the unit circle splits by sqrt of round-off
 constexpr double strict_least = 0.1;        ///< omega dt below which a limit counts as none
+constexpr double weak_most = 1;              ///< omega dt up to which a weakly unstable integrator is trusted at all
 constexpr double weak_exponent = 12;        ///< growth over the run that a weakly unstable integrator may reach
 
 struct Mode {
@@ -116,8 +117,10 @@ StepLimit step_limit(const Case& scene) {
     if (strict > 0) return {strict, omega, false};
     const auto exponent = [&](double dt) { return scene.until / dt * std::log(worst_root(scene, modes, dt)); };
     double least = strict_least / omega;
+    // A growth per step of theta^2 (forward Euler) gives an exponent that halves with the step, one of theta^4 an eighth of it.
+    if (exponent(least) < 4 * exponent(least / 2)) return {0, omega, true};
     while (least > 1e-9 / omega && exponent(least) > weak_exponent) least *= 0.5;
-    return {last_stable(least, 20 / omega, [&](double dt) { return exponent(dt) <= weak_exponent; }), omega, true};
+    return {last_stable(least, weak_most / omega, [&](double dt) { return exponent(dt) <= weak_exponent; }), omega, true};
 }
 
 }    // namespace sphonic

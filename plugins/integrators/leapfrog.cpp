@@ -13,7 +13,7 @@ struct Leapfrog final : abi::Integrator {
             s.settle(g, now.t + now.dt);
         }
     }
-    abi::Stagger stagger() const override { return abi::Stagger::behind; }
+    abi::Stagger stagger() const override { return abi::Stagger::behind_after_start; }
 };
 
 SPHONIC_INTEGRATOR(

@@ -66,7 +66,7 @@ TEST_CASE("equations with a current density agree between stencil and list where
 }
 
 TEST_CASE("the staggered energy of an adjoint pair is constant to round-off", "[energy]") {
-    for (const char* integrator : {"symplectic_euler", "velocity_verlet"})
+    for (const char* integrator : {"symplectic_euler", "velocity_verlet", "leapfrog"})
         for (const int d : {1, 2, 3})
             for (const char* boundary : {"free", "periodic"}) {
                 std::vector<std::string> set = sound(d);

@@ -25,7 +25,7 @@ double dispersion(const Case& scene, double k, const double* direction);
 double amplification(const Case& scene, double dt);
 
 struct StepLimit {
-    double dt = 0;         ///< largest stable step [s]
+    double dt = 0;         ///< largest stable step [s]; 0 where growth cannot be kept small by any useful step
     double frequency = 0;  ///< largest of the operator's over the zone [1/s]
     bool weak = false;     ///< the integrator grows at any step: dt is where the worst mode grows by e^12 within `until`
 };

@@ -19,7 +19,7 @@ public:
     virtual ~System() = default;
 
     virtual int groups() const = 0;
-    /// The array of that name, zero when first asked for.
+    /// The array of that name, zero when first asked for. Every array must be asked for in the first step (index 0).
     virtual Slot history(const char* name) = 0;
     /// out[group] = time derivative of the group at the present state and time t [s]. `out` is not the state.
     virtual void rate(Group group, double t, Slot out) = 0;
@@ -34,7 +34,9 @@ public:
 };
 
 /// Where u stands in time when p is at t_n: the discrete energy that the scheme conserves depends on it.
-enum class Stagger : int { none, behind, centred };
+/// `behind`: at t_n - dt/2, from the given initial u on; `behind_after_start`: the given u is at t = 0 and the first step
+/// takes it to dt/2; `centred`: at t_n, in a scheme that kicks by halves.
+enum class Stagger : int { none, behind, behind_after_start, centred };
 
 struct Step {
     long index;    ///< 0 for the first step of a run
@@ -49,7 +51,6 @@ public:
     virtual ~Integrator() = default;
 
     virtual void step(System& system, const Step& step) const = 0;
-    /// `behind`: u is at t_n - dt/2 (symplectic Euler, leapfrog); `centred`: u at t_n of a scheme that kicks by halves.
     virtual Stagger stagger() const { return Stagger::none; }
 };
 

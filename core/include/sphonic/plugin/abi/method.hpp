@@ -19,6 +19,8 @@ public:
 
     /// Largest stable step [s]; infinity where none is known.
     virtual double dt_limit() const = 0;
+    /// True if every step grows and dt_limit only bounds by how much.
+    virtual bool weakly_unstable() const { return false; }
     /// Fix the step and set the initial state; called once, before `step`.
     virtual void start(double dt) = 0;
     virtual void step() = 0;
