@@ -199,7 +199,8 @@ private:
 /// A preset is a JSON file with exactly the content of "equations".
 Json load_preset(const std::string& name, const Case& scene, const std::string& place) {
     const fs::path folder = fs::path(scene.file).parent_path();
-    std::vector<fs::path> folders{folder / "equations", folder / "../equations", SPHONIC_EQUATIONS_DIR};
+    const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+    std::vector<fs::path> folders{folder / "equations", folder / "../equations", program / "../share/sphonic/equations", SPHONIC_EQUATIONS_DIR};
     std::vector<std::string> known;
     for (const fs::path& dir : folders) {
         if (!fs::is_directory(dir)) continue;

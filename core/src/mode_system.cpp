@@ -55,11 +55,19 @@ std::vector<double> ModeSystem::rate_of(int row) const {
     return rate;
 }
 
+void ModeSystem::count(abi::Group group) {
+    if (rows(group).empty()) return;
+    ++rate_calls_;
+    evaluations_ += double(rows(group).size()) / double(A_.n);
+}
+
 void ModeSystem::rate(abi::Group group, double, abi::Slot out) {
+    count(group);
     for (const int r : rows(group)) slots_[std::size_t(out)][std::size_t(r)] = rate_of(r);
 }
 
 void ModeSystem::advance(abi::Group group, double, double dt) {
+    count(group);
     std::vector<std::vector<double>> rates;
     for (const int r : rows(group)) rates.push_back(rate_of(r));
     for (std::size_t i = 0; i < rates.size(); ++i) {
@@ -83,6 +91,8 @@ void ModeSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) {
 Symbol ModeSystem::one_step_map(const abi::Integrator& integrator, double dt) {
     integrator.step(*this, {0, 0, dt});    // names the histories
     unit_slots();
+    rate_calls_ = 0;
+    evaluations_ = 0;
     integrator.step(*this, {1, dt, dt});
     const std::size_t n = std::size_t(A_.n), size = n * slots_.size();
     std::vector<std::size_t> kept;    // scratch arrays influence nothing: their columns are zero

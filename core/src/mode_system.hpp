@@ -15,6 +15,10 @@ public:
     /// The matrix that takes (state, histories that persist) over a step `dt`, past the first step.
     Symbol one_step_map(const abi::Integrator& integrator, double dt);
 
+    /// What the last step cost: calls for a rate, and whole evaluations of the equations that they add up to.
+    int rate_calls() const { return rate_calls_; }
+    double evaluations() const { return evaluations_; }
+
     int groups() const override { return int(order_.size()); }
     abi::Slot history(const char* name) override;
     void rate(abi::Group group, double t, abi::Slot out) override;
@@ -31,6 +35,10 @@ private:
     std::vector<std::string> names_{"state"};
     std::vector<Rows> slots_;
 
+    int rate_calls_ = 0;
+    double evaluations_ = 0;
+
+    void count(abi::Group group);
     const std::vector<int>& rows(abi::Group group) const;
     std::vector<double> rate_of(int row) const;
     void unit_slots();

@@ -12,16 +12,34 @@
 namespace sphonic {
 namespace {
 
-/// Nanoseconds per particle-step: a + b * neighbours, with one viscosity term or none. Measured on one core of an
-/// AVX-512 EPYC at 2.6 GHz with the benchmarks in tests/benchmarks; other machines differ in scale, hardly in ratio.
+/// Nanoseconds of one evaluation of all equations, per particle and per neighbour, without and with viscosity, by dimension.
+/// Measured on one core of an AVX-512 EPYC at 2.6 GHz with bench_steps; other machines differ in scale, hardly in ratio.
 struct Cost {
-    double fixed, per_neighbour, viscous;
+    double fixed;
+    double per_neighbour[4], viscous[4];
+    double geometry;    ///< share of a neighbour's cost that every call pays, however few equations it evaluates
 };
 Cost cost_of(const std::string& tier) {
-    if (tier == "lattice") return {0.3, 0.11, 0.12};
-    if (tier == "frozen") return {10, 3.5, 1.0};
-    if (tier == "moving") return {10, 5.5, 1.0};
-    return {0.3, 0, 0};
+    if (tier == "lattice") return {0.4, {0, 0.13, 0.19, 0.37}, {0, 0.21, 0.8, 1.2}, 0};
+    if (tier == "frozen") return {10, {0, 2.4, 3.8, 5.5}, {0, 1.2, 2, 3}, 0.1};
+    if (tier == "moving") return {10, {0, 3.6, 6.0, 8.5}, {0, 1.0, 2.0, 3.0}, 0.33};
+    return {0.4, {0, 0, 0.15, 0.3}, {}, 0};
+}
+
+double predicted_seconds(const Case& scene, const Summary& prepared, bool viscous) {
+    const Cost cost = cost_of(prepared.tier);
+    const int d = scene.box.dimension;
+    double evaluations = 1, calls = 1;
+    if (scene.method->meshfree()) {
+        const double k[3] = {1, 0, 0};
+        const Symbol A = symbol(scene, k);
+        ModeSystem mode(scene, A);
+        mode.one_step_map(*scene.integrator, prepared.dt);
+        evaluations = mode.evaluations(), calls = mode.rate_calls();
+    }
+    const double per_pair = cost.per_neighbour[d] + (viscous ? cost.viscous[d] : 0);
+    const double passes = (1 - cost.geometry) * evaluations + cost.geometry * calls;
+    return 1e-9 * (cost.fixed + per_pair * prepared.neighbours_mean) * passes * double(prepared.particles) * double(prepared.steps);
 }
 
 std::string percent(double x) {
@@ -93,9 +111,7 @@ TravellingMode travelling_mode(const Case& scene, double k, const double* direct
 Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
-    const Cost cost = cost_of(prepared.tier);
-    const double per_pair = cost.per_neighbour + (is_viscous(scene) ? cost.viscous : 0);
-    out.cpu_s = 1e-9 * (cost.fixed + per_pair * prepared.neighbours_mean) * double(prepared.particles) * double(prepared.steps);
+    out.cpu_s = predicted_seconds(scene, prepared, is_viscous(scene));
     if (scene.method->meshfree()) {
         const auto waves = waves_of(scene);
         const double x_axis[3] = {1, 0, 0};
