@@ -19,7 +19,7 @@ stub() {
 # A fresh tree, all packages installed, an ordinary user without sudo. Stubs note their arguments in $box/calls.
 fresh_box() {
     box=$(mktemp -d -p "$scratch" "a box.XXXX")    # with a space: paths are quoted or this fails
-    mkdir -p "$box/bin" "$box/tree/apps" "$box/work"
+    mkdir -p "$box/bin" "$box/tree/apps" "$box/elsewhere"
     cp "$root/apps/sphonic" "$box/tree/apps/"
     cp "$root/CMakePresets.json" "$box/tree/"
     local tool
@@ -72,7 +72,7 @@ STUB
 sphonic() {
     status=0
     : >"$box/calls"
-    (cd "$box/work" && PATH=$box/bin exec "${entrance:-$box/tree/apps/sphonic}" "$@") \
+    (cd "$box/elsewhere" && PATH=$box/bin exec "${entrance:-$box/tree/apps/sphonic}" "$@") \
         </dev/null >"$box/out" 2>"$box/err" || status=$?
 }
 
@@ -110,7 +110,7 @@ sphonic list
 check "root gets exactly the missing packages of the build, not those of the tests" \
     same "$(install_line)" "apt-get -o DPkg::Lock::Timeout=120 install -y --no-install-recommends --no-remove ninja-build libcli11-dev"
 check "package lists are refreshed before the installation" has "$box/calls" "apt-get -o DPkg::Lock::Timeout=120 update"
-check "stdout carries the driver's lines only" same "$(<"$box/out")" "driver in $box/work"$'\n'"<list>"
+check "stdout carries the driver's lines only" same "$(<"$box/out")" "driver in $box/elsewhere"$'\n'"<list>"
 check "the log keeps the chatter" has "$box/tree/build/release/first-run.log" "more chatter of cmake"
 
 absent=catch2
@@ -156,12 +156,12 @@ check "the second call only builds" same "$(<"$box/calls")" \
 check "the second call says nothing" same "$(<"$box/err")" ""
 sphonic run "my case.json" --set "/title=a  b" "" '*'
 check "arguments pass through intact" same "$(<"$box/out")" \
-    "driver in $box/work"$'\n<run>\n<my case.json>\n<--set>\n</title=a  b>\n<>\n<*>'
+    "driver in $box/elsewhere"$'\n<run>\n<my case.json>\n<--set>\n</title=a  b>\n<>\n<*>'
 driver_status=3 sphonic run case.json
 check "the driver's exit code comes through" same "$status" 3
 sphonic
 check "no arguments ask for help" has "$box/out" "<--help>"
-ln -s ../tree/apps/sphonic "$box/work/link"
+ln -s ../tree/apps/sphonic "$box/elsewhere/link"
 entrance=./link sphonic list
 check "a symbolic link to the script works" has "$box/out" "<list>"
 echo >>"$box/tree/CMakePresets.json"
