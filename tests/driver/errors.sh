@@ -13,10 +13,11 @@ driver=$(readlink -f -- "$1")
 repository=$(readlink -f -- "$2")
 scratch=$(mktemp -d)
 trap 'chmod -R u+rwx -- "$scratch"; rm -rf -- "$scratch"' EXIT
+# shellcheck source=tests/driver/report.sh
+source "$repository/tests/driver/report.sh"
 cd -- "$scratch"
 unset SPHONIC_PLUGIN_PATH
 mkdir parent plugins
-failures=0
 
 cat >case.json <<'CASE'
 {
@@ -33,14 +34,6 @@ cat >case.json <<'CASE'
   "output": { "every": 0.001, "probes": [[2.0]] }
 }
 CASE
-
-ok() { printf 'ok      %s\n' "$1"; }
-failed() {
-    printf 'FAILED  %s\n' "$1"
-    shift
-    ((!$#)) || printf '        %s\n' "$@"
-    failures=$((failures + 1))
-}
 
 # Leaves $code, $out and $err; the colour and the "error: " of the log are taken off.
 sphonic() {

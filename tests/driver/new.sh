@@ -10,18 +10,11 @@ build=$(readlink -f -- "$2")
 repository=$(readlink -f -- "$3")
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
+# shellcheck source=tests/driver/report.sh
+source "$repository/tests/driver/report.sh"
 cd -- "$scratch"
 unset SPHONIC_PLUGIN_PATH
 mkdir sources plugins
-failures=0
-
-ok() { printf 'ok      %s\n' "$1"; }
-failed() {
-    printf 'FAILED  %s\n' "$1"
-    shift
-    ((!$#)) || printf '        %s\n' "$@"
-    failures=$((failures + 1))
-}
 
 # expect WHAT CODE PATTERN ARGUMENTS...: exit code, and stdout or stderr, whichever has something.
 expect() {

@@ -9,15 +9,10 @@ driver=$(readlink -f -- "$1")
 repository=$(readlink -f -- "$2")
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
+# shellcheck source=tests/driver/report.sh
+source "$repository/tests/driver/report.sh"
 cd -- "$scratch"
 unset SPHONIC_PLUGIN_PATH
-failures=0
-
-ok() { printf 'ok      %s\n' "$1"; }
-failed() {
-    printf 'FAILED  %s\n' "$*"
-    failures=$((failures + 1))
-}
 
 code=0
 "$driver" schema >schema.json 2>err || code=$?

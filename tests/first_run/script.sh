@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# apps/sphonic with every tool it calls replaced by a stub: no build, no network, no rights needed.
+# apps/sphonic with every tool it calls replaced by a fake: no build, no network, no rights needed.
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -7,10 +7,10 @@ scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 failures=0
 
-# The only tools on the script's PATH: the real ones it may use, then stubs.
+# The only tools on the script's PATH: the real ones it may use, then fakes.
 real_tools=(bash cat env flock mkdir nproc printf readlink rm sha256sum tail tee true)
 
-stub() {
+fake() {
     local file=$box/bin/$1
     { printf '#!%s\n' "$BASH"; cat; } >"$file"
     chmod +x "$file"
@@ -25,10 +25,10 @@ fresh_box() {
     local tool
     for tool in "${real_tools[@]}"; do ln -s "$(type -P "$tool")" "$box/bin/$tool"; done
     export box absent="" uid=1000 broken=""
-    stub id <<'STUB'
+    fake id <<'FAKE'
 echo "$uid"
-STUB
-    stub dpkg-query <<'STUB'
+FAKE
+    fake dpkg-query <<'FAKE'
 echo dpkg-query >>"$box/calls"
 shift 2
 for package in "$@"; do
@@ -38,12 +38,12 @@ for package in "$@"; do
     esac
 done
 exit "${status:-0}"
-STUB
-    stub apt-get <<'STUB'
+FAKE
+    fake apt-get <<'FAKE'
 echo "apt-get $*" >>"$box/calls"
 echo "chatter of apt-get"
-STUB
-    stub cmake <<'STUB'
+FAKE
+    fake cmake <<'FAKE'
 echo "cmake $*" >>"$box/calls"
 echo "chatter of cmake"
 echo "more chatter of cmake" >&2
@@ -59,13 +59,13 @@ mkdir -p "$box/tree/build/release/bin"
     echo 'echo "driver in $PWD"; (($# == 0)) || printf "<%s>\n" "$@"; exit "${driver_status:-0}"'
 } >"$box/tree/build/release/bin/sphonic"
 /bin/chmod +x "$box/tree/build/release/bin/sphonic"
-STUB
-    stub ctest <<'STUB'
+FAKE
+    fake ctest <<'FAKE'
 echo "ctest $*" >>"$box/calls"
 exit "${ctest_status:-0}"
-STUB
-    stub ninja <<<'exit 0'
-    stub g++ <<<'exit 0'
+FAKE
+    fake ninja <<<'exit 0'
+    fake g++ <<<'exit 0'
 }
 
 # Runs the script in the box; leaves $status, $box/out and $box/err.
@@ -133,15 +133,15 @@ check "a failing test's exit code comes through" same "$status" 8
 
 fresh_box
 absent="git"
-stub sudo <<'STUB'
+fake sudo <<'FAKE'
 [[ $1 != -n ]] || shift
 echo "sudo $*" >>"$box/calls"
 exec "$@"
-STUB
+FAKE
 sphonic list
 check "sudo without a password installs" has "$box/calls" "sudo env DEBIAN_FRONTEND=noninteractive apt-get"
 check "sudo installs exactly the missing package" has "$box/calls" "--no-remove git"
-stub sudo <<<'exit 1'
+fake sudo <<<'exit 1'
 rm -f "$box/tree/build/release/first-run.stamp"
 sphonic list
 check "sudo that wants a password is no right where nobody can type" same "$status" 5

@@ -7,7 +7,5 @@ namespace sphonic::log {
 void info(const std::string& message);
 void warn(const std::string& message);
 void error(const std::string& message);
-/// Only warnings and errors from here on.
-void quiet();
 
 }    // namespace sphonic::log

@@ -33,7 +33,7 @@ std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& component
 
 ParticleSystem::ParticleSystem(const Case& scene)
     : scene_(scene), components_(scene.equations, scene.box.dimension, scene.motion == Motion::lagrangian),
-      store_(0, 0) {
+      store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")) {
     place_particles();
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
     tier_ = choose_tier(scene, components_, x);
@@ -136,7 +136,6 @@ void ParticleSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) 
 
 void ParticleSystem::settle(abi::Group group, double t) {
     const Part& changed = part(group);
-    const auto& e = scene_.equations;
     if (changed.positions) {
         const double* x[3] = {};
         for (int a = 0; a < scene_.box.dimension; ++a) x[a] = field(components_.positions + a);
@@ -145,10 +144,10 @@ void ParticleSystem::settle(abi::Group group, double t) {
     const auto in_group = [&](int v) {
         return v >= 0 && std::find(changed.variables.begin(), changed.variables.end(), v) != changed.variables.end();
     };
-    const int p = evolved_behind(e.find("p"));
+    const int p = evolved_behind(pressure_);
     for (Members& members : members_) {
         const abi::Imposed imposed = members.source->imposed();
-        impose(members, t, imposed.pressure_each_step && in_group(p), imposed.velocity_each_step && in_group(e.find("u")));
+        impose(members, t, imposed.pressure_each_step && in_group(p), imposed.velocity_each_step && in_group(velocity_));
     }
     refresh_algebraic(changed);
     for (const int c : changed.components) tier_->fill_ghosts(store_.array(abi::state, c));
@@ -200,8 +199,8 @@ void ParticleSystem::impose(Members& members, double t, bool pressure, bool velo
     }
     out.p = pressure ? members.p.data() : nullptr;
     members.source->evaluate(t, points, out);
-    if (pressure) set_scalar(scene_.equations.find("p"), members.at, members.p);
-    const int u = scene_.equations.find("u");
+    if (pressure) set_scalar(pressure_, members.at, members.p);
+    const int u = velocity_;
     for (int a = 0; velocity && a < scene_.box.dimension; ++a) {
         double* field_a = store_.array(abi::state, components_.first[std::size_t(u)] + a);
         for (std::size_t i = 0; i < members.at.size(); ++i) field_a[members.at[i]] = members.u[a][i];

@@ -65,6 +65,7 @@ private:
     Store store_;
     std::vector<Part> parts_;     ///< by splitting group, then everything, fields, positions
     std::vector<Members> members_;
+    int pressure_, velocity_;       ///< the variables p and u
     std::vector<int> algebraic_;    ///< in order of evaluation
     std::vector<const double*> state_arrays_;
     std::vector<double*> out_arrays_;

@@ -21,6 +21,5 @@ spdlog::logger& logger() {
 void info(const std::string& message) { logger().info("{}", message); }
 void warn(const std::string& message) { logger().warn("{}", message); }
 void error(const std::string& message) { logger().error("{}", message); }
-void quiet() { logger().set_level(spdlog::level::warn); }
 
 }    // namespace sphonic::log
