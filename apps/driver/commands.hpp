@@ -16,6 +16,7 @@ struct RunOptions : Common {
     std::vector<std::string> set;
     std::filesystem::path out;    ///< empty: runs/NAME, numbered if it exists
     bool force = false;
+    int threads = 0;    ///< 0: as many as the set is worth
 };
 
 /// Each returns the exit code of a job that was done; errors are thrown.

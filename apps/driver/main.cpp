@@ -27,6 +27,7 @@ void add_case(CLI::App& command, RunOptions& options, const char* what) {
 void add_output(CLI::App& command, RunOptions& options) {
     command.add_option("--out", options.out, "output folder; default runs/NAME");
     command.add_flag("--force", options.force, "replace the output folder if it exists");
+    command.add_option("--threads", options.threads, "results do not depend on it; default: as many as the set is worth")->check(CLI::Range(1, 1024));
 }
 
 }    // namespace

@@ -34,7 +34,8 @@ void print_summary(const Summary& s, const std::filesystem::path& folder) {
 
 int run(const RunOptions& options) {
     Registry registry(Registry::search_path(options.plugin_path));
-    const Case scene = load_case(options.file, options.set, registry);
+    Case scene = load_case(options.file, options.set, registry);
+    scene.threads = options.threads;
     for (const std::string& warning : scene.warnings) log::warn(scene.file + ": " + warning);
     ResultFolder folder(options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out, options.force);
     Simulation simulation(scene);

@@ -117,12 +117,13 @@ struct Model final : abi::Source {
                           real("omega", &Model::omega, "rad/s", positive, infinite, "angular frequency")};
     }
 
-    void prepare(int, const abi::Medium& m) override {
-        medium = m;
+    abi::Action action() const override { return {.sets_pressure = true, .sets_velocity_at_start = true}; }
+    const abi::PlaneWave* wave() const override { return &emitted; }
+
+    void prepare(const abi::SourceScene& scene) override {
+        medium = scene.medium;
         emitted = {.amplitude = amplitude, .omega = omega};
     }
-    abi::Imposed imposed() const override { return {}; }
-    const abi::PlaneWave* wave() const override { return &emitted; }
 
     void evaluate(double t, const abi::Points& points, const abi::AcousticField& out) const override {
         for (int i = 0; i < points.n; ++i) {

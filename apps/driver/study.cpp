@@ -86,7 +86,8 @@ int exit_code(const std::vector<StudyResult>& results) {
 
 int study(const RunOptions& options) {
     Registry registry(Registry::search_path(options.plugin_path));
-    const Study study = load_study(options.file, options.set);
+    Study study = load_study(options.file, options.set);
+    if (options.threads) study.threads = options.threads;
     const auto folder = options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out;
     std::vector<StudyResult> results;
     {

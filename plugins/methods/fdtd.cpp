@@ -1,4 +1,6 @@
+#include <sphonic/plugin/energy_budget.hpp>
 #include <sphonic/plugin/method.hpp>
+#include <sphonic/plugin/point_set.hpp>
 
 #include <cmath>
 #include <vector>
@@ -11,7 +13,7 @@ namespace {
 
 class StaggeredGrid final : public abi::Solver {
 public:
-    explicit StaggeredGrid(const abi::Scene& scene) : scene_(scene), d_(scene.box.dimension) {
+    explicit StaggeredGrid(const abi::Scene& scene) : scene_(scene), d_(scene.box.dimension), budget_(scene.box, scene.medium) {
         for (int a = 0; a < d_; ++a) n_[a] = scene.box.count[a];
         stride_[0] = 1;
         stride_[1] = n_[0] + 2;
@@ -20,6 +22,8 @@ public:
         p_.assign(std::size_t(stride_[2] * (d_ > 2 ? n_[2] + 2 : 1)), 0.0);
         for (int a = 0; a < d_; ++a) u_[a] = p_;
         for (int s = 0; s < scene.source_count; ++s) sources_.push_back(place(scene.sources[s]));
+        volume_ = std::pow(scene.box.dx, d_);
+        bulk_modulus_ = scene.medium.rho0 * scene.medium.c0 * scene.medium.c0;
     }
 
     double dt_limit() const override { return scene_.box.dx / (scene_.medium.c0 * std::sqrt(double(d_))); }
@@ -32,14 +36,23 @@ public:
         dt_ = dt;
         set_initial_fields();
         for (Placed& source : sources_) {
-            impose_pressure(source, 0);
-            for (int a = 0; a < d_; ++a) impose_velocity(source, a, -dt / 2);
+            if (const double omega = source.source->tone()) source.source->match(response(omega));
+            if (source.action.sets_pressure) impose_pressure(source, 0);
+            for (int a = 0; a < d_; ++a)
+                if (source.action.sets_velocity || source.action.sets_velocity_at_start) impose_velocity(source, a, -dt / 2);
         }
+        budget_.start(energy());
     }
+    double energy_bound() const override { return budget_.bound(time()); }
 
     void step() override {
         kick();
-        const double k = scene_.medium.rho0 * scene_.medium.c0 * scene_.medium.c0 * dt_ / scene_.box.dx;
+        for (Placed& source : sources_)
+            for (int a = 0; a < d_; ++a) {
+                if (source.action.sets_velocity) impose_velocity(source, a, time() + dt_ / 2);
+                if (source.action.adds) supply(source.u[a], u_[a], a, source, time(), scene_.medium.rho0);
+            }
+        const double k = bulk_modulus_ * dt_ / scene_.box.dx;
         for_rows([&](long at) {
             for (int a = 0; a < d_; ++a) {
                 double* __restrict p = p_.data() + at;
@@ -47,9 +60,11 @@ public:
                 for (long i = 0; i < n_[0]; ++i) p[i] -= k * (u[i] - behind[i]);
             }
         });
+        for (Placed& source : sources_)
+            if (source.action.adds) supply(source.p, p_, -1, source, time() + dt_ / 2, 1 / bulk_modulus_);
         ++index_;
         for (Placed& source : sources_)
-            if (source.imposed.pressure_each_step) impose_pressure(source, time());
+            if (source.action.sets_pressure) impose_pressure(source, time());
     }
 
     abi::Snapshot snapshot() override {
@@ -76,30 +91,27 @@ public:
         for_rows([&](long at) {
             for (long i = at; i < at + n_[0]; ++i) {
                 const std::size_t k = std::size_t(i);
-                sum += p_[k] * p_[k] / (m.rho0 * m.c0 * m.c0);
+                sum += p_[k] * p_[k] / bulk_modulus_;
                 for (int a = 0; a < d_; ++a) sum += m.rho0 * behind[std::size_t(a)][k] * u_[a][k];
             }
         });
         for (int a = 0; a < d_; ++a) u_[a] = behind[std::size_t(a)];
-        return 0.5 * std::pow(scene_.box.dx, d_) * sum;
+        return 0.5 * volume_ * sum;
     }
 
 private:
-    struct Grid {
-        std::vector<std::size_t> at;
-        std::vector<double> x[3], value;
-    };
     /// A source on the points of p and on those of each velocity component.
     struct Placed {
-        const abi::Source* source;
-        abi::Imposed imposed;
-        Grid p, u[3];
+        abi::Source* source;
+        abi::Action action;
+        PointSet p, u[3];
     };
 
     const abi::Scene scene_;
     int d_;
     long n_[3] = {1, 1, 1}, stride_[3] = {1, 0, 0}, origin_ = 0, index_ = 0;
-    double dt_ = 0;
+    double dt_ = 0, volume_ = 0, bulk_modulus_ = 0;
+    EnergyBudget budget_;
     std::vector<double> p_, u_[3];
     std::vector<Placed> sources_;
     std::vector<double> x_[3], shown_p_, shown_u_[3];
@@ -144,8 +156,8 @@ private:
     }
 
     /// The grid's points; those of u_a lie half a spacing further along axis `staggered`.
-    Grid all_points(int staggered) const {
-        Grid all;
+    PointSet all_points(int staggered) const {
+        PointSet all{.dimension = d_, .at = {}, .x = {}, .value = {}};
         const abi::Box& box = scene_.box;
         for (long z = 0; z < n_[2]; ++z)
             for (long y = 0; y < n_[1]; ++y)
@@ -158,57 +170,64 @@ private:
         all.value.resize(all.at.size());
         return all;
     }
-    Grid members(const abi::PlacedSource& placed, int staggered) const {
-        const Grid all = all_points(staggered);
-        Grid kept;
-        std::vector<unsigned char> inside(all.at.size());
-        placed.inside(placed.region, points(all), inside.data());
-        for (std::size_t i = 0; i < all.at.size(); ++i) {
-            if (!inside[i]) continue;
-            kept.at.push_back(all.at[i]);
-            for (int a = 0; a < d_; ++a) kept.x[a].push_back(all.x[a][i]);
-        }
-        kept.value.resize(kept.at.size());
-        return kept;
-    }
     Placed place(const abi::PlacedSource& placed) const {
-        Placed out{.source = placed.source, .imposed = placed.source->imposed(), .p = members(placed, -1), .u = {}};
-        for (int a = 0; a < d_; ++a) out.u[a] = members(placed, a);
+        Placed out{.source = placed.source, .action = placed.source->action(), .p = all_points(-1).members(placed), .u = {}};
+        for (int a = 0; a < d_; ++a) out.u[a] = all_points(a).members(placed);
+        if (out.p.at.empty()) placed.reaches_nothing(placed.host);
+        placed.source->enlist(out.p.points(), std::pow(scene_.box.dx, d_));
         return out;
     }
-    abi::Points points(const Grid& grid) const {
-        abi::Points list{.dimension = d_, .n = int(grid.at.size())};
-        for (int a = 0; a < d_; ++a) list.x[a] = grid.x[a].data();
-        return list;
+    void evaluate(const Placed& source, PointSet& set, int axis, double t) const {
+        abi::AcousticField out;
+        (axis < 0 ? out.p : out.u[axis]) = set.value.data();
+        source.source->evaluate(t, set.points(), out);
     }
     void impose_pressure(Placed& source, double t) {
-        source.source->evaluate(t, points(source.p), {.p = source.p.value.data()});
-        for (std::size_t i = 0; i < source.p.at.size(); ++i) p_[source.p.at[i]] = source.p.value[i];
+        evaluate(source, source.p, -1, t);
+        budget_.imposed(source.p.value, 1 / bulk_modulus_);
+        source.p.put(p_);
     }
     void impose_velocity(Placed& source, int axis, double t) {
-        Grid& grid = source.u[axis];
-        abi::AcousticField out;
-        out.u[axis] = grid.value.data();
-        source.source->evaluate(t, points(grid), out);
-        for (std::size_t i = 0; i < grid.at.size(); ++i) u_[axis][grid.at[i]] = grid.value[i];
+        evaluate(source, source.u[axis], axis, t);
+        budget_.imposed(source.u[axis].value, scene_.medium.rho0);
+        source.u[axis].put(u_[axis]);
+    }
+    /// Adds a rate to a field; `inertia` is what its squares weigh in the energy.
+    void supply(PointSet& set, std::vector<double>& field, int axis, const Placed& source, double t, double inertia) {
+        evaluate(source, set, axis, t);
+        budget_.added(0.5 * volume_ * inertia * set.add(field, dt_), dt_);
+    }
+
+    /// sin(omega dt/2) = (c0 dt/dx) sin(k dx/2), mean over axis and diagonals. A tone added half-way through a step has the
+    /// gain c0 over the scheme's semi-discrete group velocity, 1 / cos(k dx / (2 sqrt n)) along a diagonal of n axes.
+    abi::ToneResponse response(double omega) const {
+        const double dx = scene_.box.dx, c0 = scene_.medium.c0;
+        abi::ToneResponse mean{0, 0};
+        for (int n = 1; n <= d_; ++n) {
+            const double root = std::sqrt(double(n)), angle = std::asin(std::sin(0.5 * omega * dt_) * dx / (c0 * dt_ * root));
+            const double k = 2 * root * angle / dx;
+            mean.wave_number += k / d_;
+            mean.gain += std::pow(k * c0 / omega, 0.5 * (d_ - 1)) / std::cos(angle) / d_;
+        }
+        return mean;
     }
     /// p and u at t = 0; u then goes back by half a step, to where the scheme keeps it.
     void set_initial_fields() {
-        Grid nodes = all_points(-1);
-        if (scene_.initial(scene_.host, "p", 0, points(nodes), nodes.value.data()))
+        PointSet nodes = all_points(-1);
+        if (scene_.initial(scene_.host, "p", 0, nodes.points(), nodes.value.data()))
             for (std::size_t i = 0; i < nodes.at.size(); ++i) p_[nodes.at[i]] = nodes.value[i];
         dt_ *= -0.5;
         kick();
         dt_ *= -2;
         for (int a = 0; a < d_; ++a) {
-            Grid faces = all_points(a);
-            if (scene_.initial(scene_.host, "u", a, points(faces), faces.value.data()))
+            PointSet faces = all_points(a);
+            if (scene_.initial(scene_.host, "u", a, faces.points(), faces.value.data()))
                 for (std::size_t i = 0; i < faces.at.size(); ++i) u_[a][faces.at[i]] += faces.value[i];
         }
     }
     void fill_points() {
         if (!shown_p_.empty()) return;
-        Grid nodes = all_points(-1);
+        PointSet nodes = all_points(-1);
         shown_p_.resize(nodes.at.size());
         for (int a = 0; a < d_; ++a) {
             x_[a] = std::move(nodes.x[a]);

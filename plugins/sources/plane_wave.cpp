@@ -20,7 +20,11 @@ struct PlaneWaveSource final : abi::Source {
                    "where the phase is zero at t = 0: put it on the edge of the region; the origin if not given")};
     }
 
-    void prepare(int dimension, const abi::Medium& medium) override {
+    abi::Action action() const override { return {.sets_pressure = true, .sets_velocity_at_start = true}; }
+    const abi::PlaneWave* wave() const override { return &emitted; }
+
+    void prepare(const abi::SourceScene& scene) override {
+        const int dimension = scene.dimension;
         const auto fits = [&](const Vector& v) { return v.size == 0 || v.size == dimension; };
         if (!fits(direction)) throw std::invalid_argument("direction needs one component per dimension");
         if (!fits(phase_origin)) throw std::invalid_argument("phase_origin needs one component per dimension");
@@ -33,11 +37,9 @@ struct PlaneWaveSource final : abi::Source {
             emitted.direction[a] = direction.v[a] / length;
             emitted.origin[a] = phase_origin.v[a];
         }
-        wave_number = omega / medium.c0;
-        impedance = medium.rho0 * medium.c0;
+        wave_number = omega / scene.medium.c0;
+        impedance = scene.medium.rho0 * scene.medium.c0;
     }
-    abi::Imposed imposed() const override { return {}; }
-    const abi::PlaneWave* wave() const override { return &emitted; }
 
     void evaluate(double t, const abi::Points& points, const abi::AcousticField& out) const override {
         for (int begin = 0; begin < points.n; begin += block) {

@@ -24,8 +24,12 @@ enum class Neighbours { automatic, lattice, frozen, moving };
 
 struct SourceUse {
     std::unique_ptr<abi::Source> source;
-    Region region;
-    std::string place;    ///< of the region, for messages
+    std::optional<Region> region;
+    std::string place;    ///< for messages
+
+    /// Writes 1 for each point in the region that the source reaches, else 0.
+    void inside(const abi::Points& points, unsigned char* out) const;
+    [[noreturn]] void reaches_nothing() const;
 };
 
 /// A variable's values at t = 0, one expression per component.
@@ -57,6 +61,7 @@ struct Output {
 /// A whole case, checked. What its objects need of the JSON text is kept alive in `source_text`.
 struct Case {
     std::string file, title;
+    int threads = 0;    ///< of a run, whose results do not depend on it; 0: as many as the set is worth
     abi::Medium medium;
     abi::Box box;
     std::unique_ptr<abi::Arrangement> arrangement;
@@ -90,6 +95,14 @@ struct Case {
     bool regular() const { return arrangement->regular() && jitter == 0; }
     /// Largest interaction radius of the kernels [m].
     double radius() const;
+    /// The evolved variable that `variable` is computed from (itself, if it is evolved), and its derivative by that at rest.
+    struct Behind {
+        int variable;
+        double slope;
+    };
+    Behind behind(int variable) const;
+    /// Volume that a particle stands for [m^d].
+    double particle_volume() const { return arrangement->volume(box); }
 };
 
 /// Reads and checks a case. `overrides` are "/pointer=value". Errors carry file, JSON pointer, value and remedy.

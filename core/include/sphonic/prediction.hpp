@@ -21,10 +21,11 @@ struct Prediction {
 Prediction predict(const Case& scene, const Summary& prepared);
 
 /// One step's amplification of the travelling wave of wave number k [rad/m] along `direction`:
-/// its numerical frequency [rad/s] and decay rate [1/s], with the case's integrator at step dt.
+/// its numerical frequency [rad/s] and decay rate [1/s], with the case's integrator at step dt. Viscosity is taken at
+/// `viscosity` times what it is when always on: Monaghan's acts half of the time.
 struct TravellingMode {
     double omega, decay;
 };
-TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt);
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity);
 
 }    // namespace sphonic

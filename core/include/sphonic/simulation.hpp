@@ -26,8 +26,9 @@ struct ProbeRecord {
     std::vector<std::vector<double>> p, exact;          ///< [probe][sample]; exact is empty without a reference
 };
 
-/// The set at the end of a run, in particle order.
+/// The set at one time, in particle order.
 struct Profile {
+    double t = 0;                          ///< [s]
     std::vector<double> x[3], p, exact;    ///< exact is empty without a reference
     std::vector<char> in_region;           ///< of the reference
 };
@@ -50,6 +51,7 @@ struct Summary {
     bool diverged = false;
     std::string diverged_how;           ///< when, where, how large
     double t = 0;                       ///< reached [s]
+    double last_good_t = 0;             ///< the last time at which all was well [s]
     std::vector<std::string> warnings;
 };
 
@@ -59,6 +61,8 @@ struct Progress {
     long step, steps;
     double wall_s;
 };
+
+class Sentinel;
 
 /// One case made ready to run. The step is fixed here: one beyond the stable limit is refused unless the case allows it.
 class Simulation {
@@ -74,11 +78,14 @@ public:
     const ProbeRecord& probes() const { return probes_; }
     /// The present state beside the reference.
     Profile profile();
+    /// The last state that was seen while all was well: what a run that diverged has to show.
+    Profile last_good();
     abi::Solver& solver() { return *solver_; }
 
 private:
     const Case& scene_;
     std::unique_ptr<abi::Solver> solver_;
+    std::unique_ptr<Sentinel> sentinel_;
     Summary summary_;
     ProbeRecord probes_;
     std::vector<long> probe_particles_;
@@ -87,7 +94,7 @@ private:
     void fix_step();
     void find_probes();
     void sample();
-    bool healthy();
+    void complete(Profile& profile) const;
     void advance_to(long step, const std::function<void(const Progress&)>& progress);
     Errors measure();
 };

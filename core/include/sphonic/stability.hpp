@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -32,5 +33,9 @@ struct StepLimit {
 
 /// The largest stable step of the case on its lattice, with viscosity always on.
 StepLimit step_limit(const Case& scene);
+
+/// How the case's lattice and integrator carry a steady tone at step dt, mean over axis and diagonals; nothing where no wave
+/// of that frequency travels. Without viscosity.
+std::optional<abi::ToneResponse> tone_response(const Case& scene, double omega, double dt);
 
 }    // namespace sphonic

@@ -60,6 +60,7 @@ struct Study {
     std::string source;    ///< of the printed values
     std::vector<StudyChart> charts;
     int repeat = 1;
+    int threads = 1;    ///< of each run: CPU times of one thread compare
     std::vector<std::string> overrides;
     std::vector<StudyPoint> points;
 };

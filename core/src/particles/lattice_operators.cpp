@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parallel.hpp"
 #include "stencil_rows.hpp"
 
 namespace sphonic {
@@ -97,8 +98,7 @@ private:
         for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
         constexpr int wide = D == 3 ? 3 : 4;
         const bool gradient = term_.op == Term::Operator::gradient;
-        const long n = grid_.layout.count[0];
-        grid_.layout.for_rows([&](long offset, long) {
+        in_row_blocks(grid_.threads, grid_.layout, [&](long, long offset, long, long n) {
             if (gradient)
                 sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, pairs_.data(), pairs_.size(), sum); });
             else
@@ -133,11 +133,12 @@ private:
         sweep(e, out, {1, true});
         mend_ends(e, out, 1);
         for (std::size_t a = 0; a < target_.size(); ++a)
-            l.for_rows([&](long offset, long) { multiply_row(e, out[a] + offset, e.out[target_[a]] + offset, offset); });
+            in_row_blocks(grid_.threads, l, [&](long, long offset, long, long n) {
+                multiply_row(e, out[a] + offset, e.out[target_[a]] + offset, offset, n);
+            });
     }
 
-    void multiply_row(const Evaluation& e, double* __restrict value, double* __restrict target, long offset) const {
-        const long n = grid_.layout.count[0];
+    void multiply_row(const Evaluation& e, double* __restrict value, double* __restrict target, long offset, long n) const {
         for (const PowerOf& factor : factors_) {
             const double* __restrict f = e.state[factor.component] + offset;
             for (int p = 0; p < std::abs(factor.power); ++p)

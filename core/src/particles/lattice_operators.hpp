@@ -14,6 +14,7 @@ namespace sphonic {
 struct LatticeGrid {
     const Case& scene;
     Layout layout;
+    int threads;
     std::vector<std::vector<Offset>> neighbours{};    ///< by kernel
 
     std::ptrdiff_t stride(const Offset& n) const {

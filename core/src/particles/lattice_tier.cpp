@@ -4,6 +4,7 @@
 #include <sphonic/error.hpp>
 
 #include "lattice_operators.hpp"
+#include "parallel.hpp"
 #include "tier.hpp"
 
 namespace sphonic {
@@ -47,7 +48,7 @@ private:
 class LatticeTier final : public Tier {
 public:
     LatticeTier(const Case& scene, const Components& components)
-        : components_(components), grid_{scene, Layout::grid(scene.box, reach(scene))} {
+        : components_(components), grid_{scene, Layout::grid(scene.box, reach(scene)), threads_for(scene)} {
         for (const KernelUse& use : scene.kernels) grid_.neighbours.push_back(lattice_neighbours(scene.box, use));
     }
 
@@ -82,14 +83,16 @@ private:
         const Layout& l = grid_.layout;
         const long n = l.count[axis], g = l.ghosts[axis], step = l.stride[axis];
         const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
-        for (long k = -l.ghosts[c]; k < l.count[c] + l.ghosts[c]; ++k)
-            for (long j = -l.ghosts[b]; j < l.count[b] + l.ghosts[b]; ++j) {
-                double* line = field + l.origin + j * l.stride[b] + k * l.stride[c];
+        const long lines = l.count[b] + 2 * l.ghosts[b];
+        in_parallel(l.size < block_length ? 1 : grid_.threads, l.count[c] + 2 * l.ghosts[c], [=, &l](long k) {
+            for (long j = 0; j < lines; ++j) {
+                double* line = field + l.origin + (j - l.ghosts[b]) * l.stride[b] + (k - l.ghosts[c]) * l.stride[c];
                 for (long i = 1; i <= g; ++i) {
                     line[-i * step] = line[(n - 1 - (i - 1) % n) * step];
                     line[(n - 1 + i) * step] = line[(i - 1) % n * step];
                 }
             }
+        });
     }
 };
 

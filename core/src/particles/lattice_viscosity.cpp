@@ -3,6 +3,7 @@
 #include <sphonic/error.hpp>
 
 #include "lattice_operators.hpp"
+#include "parallel.hpp"
 
 namespace sphonic {
 namespace {
@@ -40,12 +41,10 @@ public:
 
     void apply(const Evaluation& e) override {
         const Layout& l = grid_.layout;
-        long row = 0;
-        l.for_rows([&](long offset, long) {
-            const long j = row % l.count[1], k = row / l.count[1];
-            ++row;
-            for (long begin = 0; begin < l.count[0]; begin += block)
-                apply_block(e, offset, j, k, begin, std::min(begin + block, l.count[0]));
+        const long per_row = (l.count[0] + block - 1) / block;
+        in_parallel(grid_.threads, per_row * l.rows(), [&](long i) {
+            const long row = i / per_row, begin = i % per_row * block;
+            apply_block(e, l.row(row), row % l.count[1], row / l.count[1], begin, std::min(begin + block, l.count[0]));
         });
     }
 

@@ -3,6 +3,7 @@
 #include <sphonic/error.hpp>
 
 #include "pair_set.hpp"
+#include "parallel.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
@@ -19,8 +20,9 @@ public:
           set_{.scene = scene,
                .components = components,
                .layout = Layout::flat(scene.arrangement->size(scene.box)),
-               .list = NeighbourList(scene.box, scene.arrangement->size(scene.box), scene.radius(), skin_)} {
-        set_.volume = lattice_volume(scene.box);
+               .list = NeighbourList(scene.box, scene.arrangement->size(scene.box), scene.radius(), skin_),
+               .threads = threads_for(scene)} {
+        set_.volume = scene.particle_volume();
         set_.mass = scene.medium.rho0 * set_.volume;
         check_box();
         moved(x);
@@ -38,7 +40,7 @@ public:
     void fill_ghosts(double*) const override {}
     void moved(const double* const* x) override {
         std::copy_n(x, set_.scene.box.dimension, set_.x);
-        set_.list.update(x);
+        if (set_.list.update(x)) cut_tiles(set_);
     }
     double neighbours_mean() const override { return neighbours_mean_; }
     double bytes() const override {

@@ -2,29 +2,33 @@
 #include <cmath>
 
 #include "pair_set.hpp"
+#include "parallel.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
 namespace {
 
-/// Rate terms on a moving set: tile by tile, every term as one scalar per pair.
-class PairProgram final : public Program {
+/// Rate terms tile by tile, every term as one scalar per pair. One worker per thread.
+class PairWorker {
 public:
-    PairProgram(PairSet& set, const std::vector<int>& variables)
+    PairWorker(const PairSet& set, const std::vector<int>& variables)
         : set_(set), variables_(variables), pairs_(set, components_read(set, variables)) {}
 
-    void evaluate(const Evaluation& e) override {
-        pairs_.begin(e.state);
-        for_tiles(set_, [&](const PairTile& tile) {
-            pairs_.start(tile);
-            for (const int v : variables_) evaluate_variable(v, tile, pairs_, e);
-        });
+    /// Tiles begin ... end - 1; `inverse_rho` of all particles where the set has a current density, else null.
+    void evaluate(const Evaluation& e, const double* inverse_rho, long begin, long end) {
+        pairs_.begin(e.state, inverse_rho);
+        for (long i = begin; i < end; ++i) {
+            take_tile(set_, i, tile_);
+            pairs_.start(tile_);
+            for (const int v : variables_) evaluate_variable(v, tile_, pairs_, e);
+        }
     }
 
 private:
-    PairSet& set_;
+    const PairSet& set_;
     std::vector<int> variables_;
     PairValues pairs_;
+    PairTile tile_;
     Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_;
 
     static std::vector<int> components_read(const PairSet& set, const std::vector<int>& variables) {
@@ -162,6 +166,35 @@ private:
             for (int k = 0; k < n; ++k) sum[k] = -mass * slope[k] * Pi[k];
         else
             for (int k = 0; k < n; ++k) sum[k] -= mass * slope[k] * Pi[k];
+    }
+};
+
+class PairProgram final : public Program {
+public:
+    PairProgram(const PairSet& set, const std::vector<int>& variables) : set_(set) {
+        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, variables);
+        if (set.density() >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
+    }
+
+    void evaluate(const Evaluation& e) override {
+        if (inverse_rho_.data()) invert(e.state[set_.components.first[std::size_t(set_.density())]], inverse_rho_.data());
+        const long n = tiles(set_), threads = set_.threads;
+        in_parallel(set_.threads, threads, [&](long t) {
+            workers_[std::size_t(t)].evaluate(e, inverse_rho_.data(), n * t / threads, n * (t + 1) / threads);
+        });
+    }
+
+private:
+    const PairSet& set_;
+    std::vector<PairWorker> workers_;
+    Array inverse_rho_;
+
+    void invert(const double* rho, double* inverse) const {
+        in_blocks(set_.threads, set_.layout.size, [=](long begin, long end) {
+            const double* __restrict from = rho;
+            double* __restrict to = inverse;
+            for (long i = begin; i < end; ++i) to[i] = 1 / from[i];
+        });
     }
 };
 

@@ -25,6 +25,8 @@ struct PairSet {
     Layout layout;
     NeighbourList list;
     const double* x[3] = {};          ///< by axis
+    int threads = 1;
+    std::vector<long> cuts{};         ///< first particle of each tile, and the end
     double mass = 0;                  ///< [kg], the same for all
     double volume = 0;                ///< [m^d], where there is no current density
     const PairGeometry* kept = nullptr;    ///< of all pairs, on frozen sets
@@ -33,25 +35,11 @@ struct PairSet {
     int density() const { return kept ? -1 : scene.equations.density; }
 };
 
-/// Cuts the particles into tiles of about `pairs_per_tile` pairs; the cut depends on the scene only.
-template <class Visit>
-void for_tiles(const PairSet& set, Visit visit) {
-    const auto& start = set.list.start();
-    PairTile tile;
-    const long n = set.layout.particles();
-    for (tile.begin = 0; tile.begin < n; tile.begin = tile.end) {
-        tile.first.assign(1, 0);
-        const std::int64_t base = start[std::size_t(tile.begin)];
-        tile.end = tile.begin;
-        while (tile.end < n && (tile.end == tile.begin || start[std::size_t(tile.end) + 1] - base <= pairs_per_tile))
-            tile.first.push_back(int(start[std::size_t(++tile.end)] - base));
-        tile.n = tile.first.back();
-        tile.first_run = set.list.first_run().data() + tile.begin;
-        tile.runs = set.list.runs().data();
-        tile.base = base;
-        visit(tile);
-    }
-}
+/// Cuts the particles into tiles of about `pairs_per_tile` pairs, after the list has changed.
+void cut_tiles(PairSet& set);
+/// The i-th of them.
+void take_tile(const PairSet& set, long i, PairTile& tile);
+inline long tiles(const PairSet& set) { return long(set.cuts.size()) - 1; }
 
 /// Per-pair values of a tile: separations, kernel slopes, and both sides' values of the components in use.
 class PairValues {
@@ -59,8 +47,8 @@ public:
     /// `components` are those that the program reads.
     PairValues(const PairSet& set, const std::vector<int>& components);
 
-    /// Once per evaluation, before any tile.
-    void begin(const double* const* state);
+    /// Once per evaluation, before any tile; `inverse_rho` of all particles where the set has a current density, else null.
+    void begin(const double* const* state, const double* inverse_rho);
     void start(const PairTile& tile);
 
     int n() const { return tile_->n; }
@@ -84,7 +72,8 @@ private:
     PairGeometry computed_;
     const double *r_[3] = {}, *r2_ = nullptr;    ///< into the computed or the kept geometry
     std::vector<const double*> slope_;
-    Array distance_, inverse_rho_;
+    const double* inverse_rho_ = nullptr;
+    Array distance_;
     std::vector<Array> weight_, own_, other_;
     std::vector<Packing> packings_;
 

@@ -5,13 +5,32 @@
 
 namespace sphonic {
 
+void cut_tiles(PairSet& set) {
+    const auto& start = set.list.start();
+    const long n = set.layout.particles();
+    set.cuts.assign(1, 0);
+    for (long i = 1; i <= n; ++i)
+        if (i == n || start[std::size_t(i) + 1] - start[std::size_t(set.cuts.back())] > pairs_per_tile) set.cuts.push_back(i);
+}
+
+void take_tile(const PairSet& set, long i, PairTile& tile) {
+    const auto& start = set.list.start();
+    tile.begin = set.cuts[std::size_t(i)];
+    tile.end = set.cuts[std::size_t(i) + 1];
+    tile.base = start[std::size_t(tile.begin)];
+    tile.first.clear();
+    for (long k = tile.begin; k <= tile.end; ++k) tile.first.push_back(int(start[std::size_t(k)] - tile.base));
+    tile.n = tile.first.back();
+    tile.first_run = set.list.first_run().data() + tile.begin;
+    tile.runs = set.list.runs().data();
+}
+
 PairValues::PairValues(const PairSet& set, const std::vector<int>& components) : set_(set), components_(components) {
     computed_.slope.resize(set.scene.kernels.size());
     slope_.resize(set.scene.kernels.size());
     weight_.resize(set.scene.kernels.size());
     own_.resize(std::size_t(set.components.count) + 1);
     other_.resize(own_.size());
-    if (set.density() >= 0) inverse_rho_ = Array(std::size_t(set.layout.size + overrun));
 }
 
 double* PairValues::room(Array& array) const {
@@ -20,12 +39,9 @@ double* PairValues::room(Array& array) const {
     return array.data();
 }
 
-void PairValues::begin(const double* const* state) {
+void PairValues::begin(const double* const* state, const double* inverse_rho) {
     state_ = state;
-    if (!inverse_rho_.data()) return;
-    const double* __restrict rho = state[set_.components.first[std::size_t(set_.density())]];
-    double* __restrict inverse = inverse_rho_.data();
-    for (long i = 0; i < set_.layout.size; ++i) inverse[i] = 1 / rho[i];
+    inverse_rho_ = inverse_rho;
 }
 
 void PairValues::start(const PairTile& tile) {
@@ -52,7 +68,7 @@ void PairValues::pack_tile() {
         packings_.push_back({set_.x[a], nullptr, room(computed_.r[a])});
     for (const int c : components_)
         packings_.push_back({state_[c], room(own_[std::size_t(c)]), room(other_[std::size_t(c)])});
-    if (inverse_rho_.data()) packings_.push_back({inverse_rho_.data(), room(own_.back()), room(other_.back())});
+    if (inverse_rho_) packings_.push_back({inverse_rho_, room(own_.back()), room(other_.back())});
     pack(*tile_, packings_);
 }
 
@@ -73,7 +89,7 @@ void PairValues::compute_geometry() {
 }
 
 void PairValues::weigh(double* __restrict weight, const double* __restrict slope) const {
-    if (!inverse_rho_.data()) {
+    if (!inverse_rho_) {
         for (int k = 0; k < n(); ++k) weight[k] = set_.volume * slope[k];
         return;
     }
@@ -90,12 +106,14 @@ PairGeometry keep_geometry(const PairSet& set) {
     all.r2 = Array(pairs);
     for (std::size_t i = 0; i < set.scene.kernels.size(); ++i) all.slope.emplace_back(pairs);
     PairValues values(set, {});
-    for_tiles(set, [&](const PairTile& tile) {
+    PairTile tile;
+    for (long k = 0; k < tiles(set); ++k) {
+        take_tile(set, k, tile);
         values.start(tile);
         for (int a = 0; a < d; ++a) std::copy_n(values.r(a), tile.n, all.r[a].data() + tile.base);
         std::copy_n(values.r2(), tile.n, all.r2.data() + tile.base);
         for (std::size_t i = 0; i < all.slope.size(); ++i) std::copy_n(values.slope(int(i)), tile.n, all.slope[i].data() + tile.base);
-    });
+    }
     return all;
 }
 

@@ -7,7 +7,7 @@
 #include "lanes.hpp"
 #include "particle_system.hpp"
 
-/// How a set begins: places, members of sources, initial fields.
+/// How a set begins: places and initial fields.
 namespace sphonic {
 
 void ParticleSystem::place_particles() {
@@ -33,34 +33,6 @@ void ParticleSystem::displace(double* const* x) const {
         }
 }
 
-void ParticleSystem::enlist_sources() {
-    const auto index = field_indices(layout());
-    for (const SourceUse& use : scene_.sources) {
-        Members members{.source = use.source.get(), .at = {}, .x = {}, .p = {}, .u = {}};
-        std::vector<double> point(3);
-        for (std::size_t i = 0; i < index.size(); ++i) {
-            for (int a = 0; a < scene_.box.dimension; ++a) point[std::size_t(a)] = x_[a][i];
-            if (!use.region.contains(point.data())) continue;
-            members.at.push_back(index[i]);
-            for (int a = 0; a < scene_.box.dimension; ++a) members.x[a].push_back(x_[a][i]);
-        }
-        if (members.at.empty())
-            throw Error(Fault::input, use.place, "no particle lies in \"" + use.region.text() + "\"", "Choose a region inside the box");
-        members.p.resize(members.at.size());
-        for (int a = 0; a < scene_.box.dimension; ++a) members.u[a].resize(members.at.size());
-        members_.push_back(std::move(members));
-    }
-}
-
-/// Sets a scalar, or, where it is algebraic, the evolved variable that it is computed from.
-void ParticleSystem::set_scalar(int v, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value) {
-    const auto& variables = scene_.equations.variables;
-    for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of)
-        variables[std::size_t(v)].state->invert(scene_.medium, int(value.size()), value.data(), value.data());
-    double* target = store_.array(abi::state, components_.first[std::size_t(v)]);
-    for (std::size_t i = 0; i < at.size(); ++i) target[at[i]] = value[i];
-}
-
 void ParticleSystem::set_initial_fields() {
     const auto at = field_indices(layout());
     std::vector<double> value(at.size());
@@ -83,8 +55,7 @@ void ParticleSystem::initialise() {
         for (int a = 0; a < scene_.box.dimension; ++a)
             scatter(layout(), x_[a].data(), store_.array(abi::state, components_.positions + a));
     set_initial_fields();
-    for (Members& members : members_)
-        impose(members, 0, false, members.source->imposed().velocity_at_start);
+    for (SourceMembers& source : sources_) impose(source, 0, false, source.action.sets_velocity_at_start);
     settle(abi::everything, 0);
 }
 

@@ -4,6 +4,8 @@
 
 #include "particle_system.hpp"
 #include "stencil.hpp"
+#include <sphonic/error.hpp>
+#include <sphonic/json.hpp>
 #include <sphonic/stability.hpp>
 
 namespace sphonic {
@@ -17,12 +19,16 @@ public:
     bool weakly_unstable() const override { return limit_.weak; }
     void start(double dt) override {
         dt_ = dt;
+        match_tones();
         system_.initialise();
+        system_.start_budget(energy());
     }
     void step() override {
         scene_.integrator->step(system_, {index_, time(), dt_});
         ++index_;
+        system_.close_step(dt_);
     }
+    double energy_bound() const override { return system_.budget().bound(time()); }
     double time() const override { return double(index_) * dt_; }
     const char* tier() const override { return system_.tier().name(); }
     double neighbours_mean() const override { return system_.tier().neighbours_mean(); }
@@ -55,7 +61,7 @@ public:
         for (long i = 0; shot.p && i < shot.points.n; ++i) sum += shot.p[i] * shot.p[i] / (m.rho0 * m.c0 * m.c0);
         for (int a = 0; a < scene_.box.dimension; ++a)
             if (shot.u[a]) sum += m.rho0 * kinetic(shot, a, stagger, rates);
-        return 0.5 * lattice_volume(scene_.box) * sum;
+        return 0.5 * scene_.particle_volume() * sum;
     }
 
 private:
@@ -78,6 +84,24 @@ private:
     double dt_ = 0;
     long index_ = 0;
     std::vector<double> p_, u_[3], rate_;
+
+    /// Tells sources of one tone how the set carries it; disordered sets do so about as their lattice does.
+    void match_tones() {
+        for (const SourceUse& use : scene_.sources) {
+            const double omega = use.source->tone();
+            if (omega == 0) continue;
+            const auto response = tone_response(scene_, omega, dt_);
+            const double per_wavelength = 2 * std::acos(-1.0) * scene_.medium.c0 / (omega * scene_.box.dx);
+            if (!response)
+                throw Error(Fault::input, use.place, "its wavelength is " + Json(per_wavelength).dump() + " particle spacings: the set carries no wave so short",
+                            "Choose a smaller dx, or omega");
+            try {
+                use.source->match(*response);
+            } catch (const std::invalid_argument& e) {
+                throw Error(Fault::input, use.place, e.what());
+            }
+        }
+    }
 
     const double* packed(const char* name, int axis, std::vector<double>& room) {
         const int v = scene_.equations.find(name);

@@ -7,7 +7,7 @@ namespace sphonic {
 
 double ParticleSystem::largest_frequency(int iterations) {
     const abi::Slot rates = store_.history("core: rate");
-    const Part& all = part(abi::fields);
+    Part& all = part(abi::fields);
     const int pressure = components_.first[std::size_t(evolved_behind(scene_.equations.find("p")))];
     const double impedance = scene_.medium.rho0 * scene_.medium.c0;
     std::mt19937_64 bits(1);
@@ -30,7 +30,7 @@ double ParticleSystem::largest_frequency(int iterations) {
     for (int k = 0; k < iterations; ++k) {
         for (int twice = 0; twice < 2; ++twice) {
             refresh_algebraic(all);
-            rate(abi::fields, 0, rates);
+            evaluate_terms(all, rates, 1, true);
             for_values([](double& z, double& r, double) { z = r; });
         }
         squared = normalise();

@@ -5,7 +5,7 @@
 
 #include <sphonic/error.hpp>
 
-#include "lanes.hpp"
+#include "parallel.hpp"
 
 namespace sphonic {
 
@@ -33,7 +33,7 @@ std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& component
 
 ParticleSystem::ParticleSystem(const Case& scene)
     : scene_(scene), components_(scene.equations, scene.box.dimension, scene.motion == Motion::lagrangian),
-      store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")) {
+      threads_(threads_for(scene)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), budget_(scene.box, scene.medium) {
     place_particles();
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
     tier_ = choose_tier(scene, components_, x);
@@ -42,7 +42,7 @@ ParticleSystem::ParticleSystem(const Case& scene)
     out_arrays_.resize(std::size_t(components_.count));
     order_algebraic();
     make_parts();
-    enlist_sources();
+    for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, layout(), x);
 }
 
 ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool positions) {
@@ -87,29 +87,41 @@ ParticleSystem::Part& ParticleSystem::part(abi::Group group) {
     return parts_[std::size_t(group >= 0 ? group : split - 1 - group)];    // -1, -2, -3 follow the splitting groups
 }
 
-void ParticleSystem::evaluate(Part& part, abi::Slot out, double scale, bool assign) {
+void ParticleSystem::evaluate_terms(Part& part, abi::Slot out, double scale, bool assign) {
     for (const int c : part.components) out_arrays_[std::size_t(c)] = store_.array(out, c);
     if (part.program) part.program->evaluate({state_arrays_.data(), out_arrays_.data(), scale, assign});
-    if (!part.positions) return;
+}
+
+void ParticleSystem::evaluate(Part& part, double t, abi::Slot out, double scale, bool assign) {
+    evaluate_terms(part, out, scale, assign);
+    if (!part.variables.empty()) add_sources(part, t, out, scale);
+    if (part.positions) move(out, scale, assign);
+}
+
+/// The rate of the positions.
+void ParticleSystem::move(abi::Slot out, double scale, bool assign) {
     const int u = components_.first[std::size_t(scene_.equations.velocity)];
-    const long size = layout().size;
     for (int a = 0; a < scene_.box.dimension; ++a) {
-        const double* __restrict velocity = state_arrays_[std::size_t(u + a)];
-        double* __restrict target = store_.array(out, components_.positions + a);
-        for (long i = 0; i < size; ++i) target[i] = (assign ? 0 : target[i]) + scale * velocity[i];
+        const double* velocity = state_arrays_[std::size_t(u + a)];
+        double* target = store_.array(out, components_.positions + a);
+        in_blocks(threads_, layout().size, [=](long begin, long end) {
+            const double* __restrict from = velocity;
+            double* __restrict to = target;
+            for (long i = begin; i < end; ++i) to[i] = (assign ? 0 : to[i]) + scale * from[i];
+        });
     }
 }
 
-void ParticleSystem::rate(abi::Group group, double, abi::Slot out) { evaluate(part(group), out, 1, true); }
+void ParticleSystem::rate(abi::Group group, double t, abi::Slot out) { evaluate(part(group), t, out, 1, true); }
 
-void ParticleSystem::rate_of(int variable, double, abi::Slot out) {
+void ParticleSystem::rate_of(int variable, double t, abi::Slot out) {
     Part single = make_part({variable}, false);
-    evaluate(single, out, 1, true);
+    evaluate(single, t, out, 1, true);
 }
 
 void ParticleSystem::advance(abi::Group group, double t, double dt) {
     Part& p = part(group);
-    if (!p.reads_itself) return evaluate(p, abi::state, dt, false);
+    if (!p.reads_itself) return evaluate(p, t, abi::state, dt, false);
     const abi::Slot scratch = store_.history("core: rate");
     rate(group, t, scratch);
     axpy(group, dt, scratch, abi::state);
@@ -117,18 +129,25 @@ void ParticleSystem::advance(abi::Group group, double t, double dt) {
 
 void ParticleSystem::copy(abi::Group group, abi::Slot from, abi::Slot to) {
     const Part& p = part(group);
-    const auto one = [&](int c) { std::copy_n(store_.array(from, c), layout().size, store_.array(to, c)); };
+    const auto one = [&](int c) {
+        const double* source = store_.array(from, c);
+        double* target = store_.array(to, c);
+        in_blocks(threads_, layout().size, [=](long begin, long end) { std::copy(source + begin, source + end, target + begin); });
+    };
     for (const int c : p.components) one(c);
     for (int a = 0; p.positions && a < scene_.box.dimension; ++a) one(components_.positions + a);
 }
 
 void ParticleSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) {
     const Part& p = part(group);
-    const long size = layout().size;
     const auto one = [&](int c) {
-        const double* __restrict from = store_.array(x, c);
-        double* __restrict to = store_.array(y, c);
-        for (long i = 0; i < size; ++i) to[i] += a * from[i];
+        const double* added = store_.array(x, c);
+        double* target = store_.array(y, c);
+        in_blocks(threads_, layout().size, [=](long begin, long end) {
+            const double* __restrict from = added;
+            double* __restrict to = target;
+            for (long i = begin; i < end; ++i) to[i] += a * from[i];
+        });
     };
     for (const int c : p.components) one(c);
     for (int axis = 0; p.positions && axis < scene_.box.dimension; ++axis) one(components_.positions + axis);
@@ -141,14 +160,9 @@ void ParticleSystem::settle(abi::Group group, double t) {
         for (int a = 0; a < scene_.box.dimension; ++a) x[a] = field(components_.positions + a);
         tier_->moved(x);
     }
-    const auto in_group = [&](int v) {
-        return v >= 0 && std::find(changed.variables.begin(), changed.variables.end(), v) != changed.variables.end();
-    };
     const int p = evolved_behind(pressure_);
-    for (Members& members : members_) {
-        const abi::Imposed imposed = members.source->imposed();
-        impose(members, t, imposed.pressure_each_step && in_group(p), imposed.velocity_each_step && in_group(velocity_));
-    }
+    for (SourceMembers& source : sources_)
+        impose(source, t, source.action.sets_pressure && changed.has(p), source.action.sets_velocity && changed.has(velocity_));
     refresh_algebraic(changed);
     for (const int c : changed.components) tier_->fill_ghosts(store_.array(abi::state, c));
 }
@@ -159,17 +173,11 @@ void ParticleSystem::refresh_algebraic(const Part& changed) {
         if (std::find(changed.variables.begin(), changed.variables.end(), evolved_behind(v)) == changed.variables.end()) continue;
         double* y = store_.array(abi::state, components_.first[std::size_t(v)]);
         const double* x = field(components_.first[std::size_t(variable.of)]);
-        layout().for_rows([&](long offset, long) {
-            variable.state->evaluate(scene_.medium, int(layout().count[0]), x + offset, y + offset);
+        in_row_blocks(threads_, layout(), [&](long, long at, long, long n) {
+            variable.state->evaluate(scene_.medium, int(n), x + at, y + at);
         });
         tier_->fill_ghosts(y);
     }
-}
-
-int ParticleSystem::evolved_behind(int v) const {
-    const auto& variables = scene_.equations.variables;
-    while (v >= 0 && !variables[std::size_t(v)].evolved()) v = variables[std::size_t(v)].of;
-    return v;
 }
 
 /// Algebraic variables, each after the one it is computed from.
@@ -183,28 +191,6 @@ void ParticleSystem::order_algebraic() {
     for (int v = 0; v < int(variables.size()); ++v)
         if (!variables[std::size_t(v)].evolved()) algebraic_.push_back(v);
     std::stable_sort(algebraic_.begin(), algebraic_.end(), [&](int a, int b) { return depth(a) < depth(b); });
-}
-
-void ParticleSystem::impose(Members& members, double t, bool pressure, bool velocity) {
-    if (!pressure && !velocity) return;
-    abi::Points points{.dimension = scene_.box.dimension, .n = int(members.at.size())};
-    abi::AcousticField out;
-    for (int a = 0; a < scene_.box.dimension; ++a) {
-        if (moving()) {
-            const double* x = field(components_.positions + a);
-            for (std::size_t i = 0; i < members.at.size(); ++i) members.x[a][i] = x[members.at[i]];
-        }
-        points.x[a] = members.x[a].data();
-        out.u[a] = velocity ? members.u[a].data() : nullptr;
-    }
-    out.p = pressure ? members.p.data() : nullptr;
-    members.source->evaluate(t, points, out);
-    if (pressure) set_scalar(pressure_, members.at, members.p);
-    const int u = velocity_;
-    for (int a = 0; velocity && a < scene_.box.dimension; ++a) {
-        double* field_a = store_.array(abi::state, components_.first[std::size_t(u)] + a);
-        for (std::size_t i = 0; i < members.at.size(); ++i) field_a[members.at[i]] = members.u[a][i];
-    }
 }
 
 std::array<const double*, 3> ParticleSystem::positions() {

@@ -1,10 +1,13 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
 
 #include <sphonic/case.hpp>
+#include <sphonic/plugin/energy_budget.hpp>
 
+#include "source_members.hpp"
 #include "store.hpp"
 #include "tier.hpp"
 
@@ -36,6 +39,11 @@ public:
     /// Coordinate of each particle by axis, in particle order.
     std::array<const double*, 3> positions();
     double bytes() const;
+    /// Begins to account for what sources supply, from this energy on.
+    void start_budget(double energy) { budget_.start(energy); }
+    /// To be called after every step.
+    void close_step(double dt);
+    const EnergyBudget& budget() const { return budget_; }
     /// Largest |eigenvalue| of the assembled, linearised operator [1/s] by power iteration on its square, from below.
     /// For sets with a neighbour list; leaves the fields zero.
     double largest_frequency(int iterations);
@@ -43,12 +51,6 @@ public:
     void rate_of(int variable, double t, abi::Slot out);
 
 private:
-    /// A source's particles and room for its values.
-    struct Members {
-        const abi::Source* source;
-        std::vector<std::ptrdiff_t> at;       ///< in the field
-        std::vector<double> x[3], p, u[3];
-    };
     /// What a group stands for: variables with their program, and whether positions go along.
     struct Part {
         std::vector<int> variables;
@@ -56,32 +58,41 @@ private:
         bool positions = false;
         bool reads_itself = true;    ///< a term reads what the group advances: the rate needs an array of its own
         std::unique_ptr<Program> program;
+
+        bool has(int variable) const { return std::find(variables.begin(), variables.end(), variable) != variables.end(); }
     };
 
     const Case& scene_;
     Components components_;
+    int threads_;
     std::vector<double> x_[3];    ///< initial positions; of frozen sets, for good
     std::unique_ptr<Tier> tier_;
     Store store_;
     std::vector<Part> parts_;     ///< by splitting group, then everything, fields, positions
-    std::vector<Members> members_;
+    std::vector<SourceMembers> sources_;
+    double supply_ = 0;    ///< energy of the largest rate that sources added within a step
     int pressure_, velocity_;       ///< the variables p and u
+    EnergyBudget budget_;
     std::vector<int> algebraic_;    ///< in order of evaluation
     std::vector<const double*> state_arrays_;
     std::vector<double*> out_arrays_;
 
-    int evolved_behind(int variable) const;    ///< itself, if it is evolved
+    int evolved_behind(int variable) const { return scene_.behind(variable).variable; }
     void order_algebraic();
     void place_particles();
     void displace(double* const* x) const;
     void make_parts();
     Part make_part(std::vector<int> variables, bool positions);
     bool reads(const Part& part) const;
-    void enlist_sources();
     Part& part(abi::Group group);
-    void evaluate(Part& part, abi::Slot out, double scale, bool assign);
-    void impose(Members& members, double t, bool pressure, bool velocity);
+    void evaluate_terms(Part& part, abi::Slot out, double scale, bool assign);
+    void evaluate(Part& part, double t, abi::Slot out, double scale, bool assign);
+    void move(abi::Slot out, double scale, bool assign);
+    void add_sources(const Part& part, double t, abi::Slot out, double scale);
+    void impose(SourceMembers& members, double t, bool pressure, bool velocity);
     void set_scalar(int variable, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value);
+    void put(const std::vector<std::ptrdiff_t>& at, const std::vector<double>& value, int component);
+    double bulk_modulus() const;
     void set_initial_fields();
     void refresh_algebraic(const Part& changed);
 };

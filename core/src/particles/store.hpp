@@ -39,6 +39,9 @@ struct Layout {
     static Layout flat(long n);
     static Layout grid(const abi::Box& box, long reach);
 
+    long rows() const { return count[1] * count[2]; }
+    /// Offset in a field of the first particle of a row.
+    long row(long r) const { return at(0, r % count[1], r / count[1]); }
     long particles() const { return count[0] * count[1] * count[2]; }
     long at(long i, long j, long k) const { return origin + i + j * stride[1] + k * stride[2]; }
 

@@ -77,6 +77,30 @@ double Case::radius() const {
     return largest;
 }
 
+void SourceUse::inside(const abi::Points& points, unsigned char* out) const {
+    source->reach(points, out);
+    double x[3] = {0, 0, 0};
+    for (int i = 0; region && i < points.n; ++i) {
+        for (int a = 0; a < points.dimension; ++a) x[a] = points.x[a][i];
+        out[i] = out[i] && region->contains(x);
+    }
+}
+
+void SourceUse::reaches_nothing() const {
+    if (region) throw Error(Fault::input, place + "/region", "no particle lies in \"" + region->text() + "\"", "Choose a region inside the box");
+    throw Error(Fault::input, place, "it reaches no particle", "Put it inside the box");
+}
+
+Case::Behind Case::behind(int v) const {
+    double slope = 1;
+    while (v >= 0 && !equations.variables[std::size_t(v)].evolved()) {
+        const Variable& variable = equations.variables[std::size_t(v)];
+        slope *= variable.state->derivative(medium, 0);
+        v = variable.of;
+    }
+    return {v, slope};
+}
+
 bool Case::initial_values(const std::string& variable, int component, const abi::Points& points, double* out) const {
     for (const InitialField& field : initial) {
         if (field.variable != variable) continue;
@@ -114,10 +138,12 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     read_space(scene, root, registry);
     read_kernels(scene, root, registry);
     read_equations(scene, root, registry);
+    read_reference(scene, root, registry);
     read_sources(scene, root, registry);
+    prepare_reference(scene, root);
     read_initial(scene, root);
     read_time(scene, root, registry);
-    read_results(scene, root, registry);
+    read_output(scene, root);
     check_provenance(scene, root);
     root.finish();
     warn_unused(scene, root);

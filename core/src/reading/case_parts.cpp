@@ -28,16 +28,6 @@ KernelUse read_kernel_use(Case& scene, Section& section, Registry& registry, con
     return use;
 }
 
-/// Translates what a plugin says of its parameters into an error at the plugin's place.
-template <class Call>
-void prepared(const Section& section, Call call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& e) {
-        section.fail("", e.what());
-    }
-}
-
 double courant_length(Case& scene, Section& section) {
     const std::string name = section.read(common_key("integrator", "courant_length")).text;
     if (name == "dx") return scene.box.dx;
@@ -66,6 +56,27 @@ void read_kernels(Case& scene, Section& root, Registry& registry) {
         root.fail("kernel", "is missing", "Give { \"type\": " + join(registry.names("kernel")) + ", \"h_over_dx\": 1.3 }");
 }
 
+void read_reference(Case& scene, Section& root, Registry& registry) {
+    if (!root.has("reference")) return;
+    Section section = root.child("reference", "");
+    ReferenceUse use{.reference = read_plugin<abi::Reference>(scene, section, registry)};
+    if (section.has("region"))
+        use.region.emplace(section.text("region", ""), constants(scene), scene.box.dimension, section.place("region"));
+    use.scale = section.optional_real(common_key("reference", "scale"));
+    section.finish();
+    scene.reference = std::move(use);
+    root.resolved["reference"] = section.resolved;
+}
+
+void prepare_reference(Case& scene, const Section& root) {
+    if (!scene.reference) return;
+    std::vector<abi::PlaneWave> waves;
+    for (const SourceUse& source : scene.sources)
+        if (const abi::PlaneWave* wave = source.source->wave()) waves.push_back(*wave);
+    prepared(root.place("reference"),
+             [&] { scene.reference->reference->prepare({scene.box.dimension, scene.medium, waves.data(), int(waves.size())}); });
+}
+
 void read_sources(Case& scene, Section& root, Registry& registry) {
     const Json* list = root.find("sources");
     if (!list) return;
@@ -73,13 +84,15 @@ void read_sources(Case& scene, Section& root, Registry& registry) {
     Json resolved = Json::array();
     for (std::size_t i = 0; i < list->size(); ++i) {
         Section section((*list)[i], root.file(), "/sources/" + std::to_string(i));
-        auto source = read_plugin<abi::Source>(scene, section, registry);
-        prepared(section, [&] { source->prepare(scene.box.dimension, scene.medium); });
-        section.need("region", "Say which particles it acts on, such as \"x < 0\"");
-        const std::string region = section.text("region", "");
-        scene.sources.push_back({std::move(source), Region(region, constants(scene), scene.box.dimension, section.place("region")),
-                                 section.place("region")});
+        SourceUse use{.source = read_plugin<abi::Source>(scene, section, registry), .region = {}, .place = section.place()};
+        prepared(use.place, [&] {
+            use.source->prepare({scene.box.dimension, scene.medium, scene.box, scene.reference ? scene.reference->reference.get() : nullptr});
+        });
+        if (use.source->action().sets()) section.need("region", "Say which particles it acts on, such as \"x < 0\"");
+        if (section.has("region"))
+            use.region.emplace(section.text("region", ""), constants(scene), scene.box.dimension, section.place("region"));
         section.finish();
+        scene.sources.push_back(std::move(use));
         resolved.push_back(section.resolved);
     }
     root.resolved["sources"] = resolved;
@@ -127,21 +140,7 @@ void read_time(Case& scene, Section& root, Registry& registry) {
     scene.until = root.real(real_row("until", "s", positive, infinite, "end of the run"));
 }
 
-void read_results(Case& scene, Section& root, Registry& registry) {
-    if (root.has("reference")) {
-        Section section = root.child("reference", "");
-        ReferenceUse use{.reference = read_plugin<abi::Reference>(scene, section, registry)};
-        std::vector<abi::PlaneWave> waves;
-        for (const SourceUse& source : scene.sources)
-            if (const abi::PlaneWave* wave = source.source->wave()) waves.push_back(*wave);
-        prepared(section, [&] { use.reference->prepare({scene.box.dimension, scene.medium, waves.data(), int(waves.size())}); });
-        if (section.has("region"))
-            use.region.emplace(section.text("region", ""), constants(scene), scene.box.dimension, section.place("region"));
-        use.scale = section.optional_real(common_key("reference", "scale"));
-        section.finish();
-        scene.reference = std::move(use);
-        root.resolved["reference"] = section.resolved;
-    }
+void read_output(Case& scene, Section& root) {
     static const Json none = Json::object();
     const Json* given = root.find("output");
     Section section(given ? *given : none, root.file(), "/output");

@@ -1,7 +1,10 @@
 #pragma once
 /// The parts of reading a case; each takes its piece of the document and the case as read so far.
 
+#include <stdexcept>
+
 #include <sphonic/case.hpp>
+#include <sphonic/error.hpp>
 
 #include "section.hpp"
 
@@ -30,15 +33,27 @@ std::unique_ptr<Interface> default_plugin(Case& scene, Registry& registry, const
     return registry.create<Interface>(plugin, Section(nothing, place, "").read(plugin.parameters));
 }
 
+/// Translates what a plugin says of its parameters into an error at the plugin's place.
+template <class Call>
+void prepared(const std::string& place, Call call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& e) {
+        throw Error(Fault::input, place, e.what());
+    }
+}
+
 /// c0, rho0, K, dx and, where there is a default kernel, h.
 Expression::Constants constants(const Case& scene);
 
 void read_space(Case& scene, Section& root, Registry& registry);        // particles, boundaries
 void read_kernels(Case& scene, Section& root, Registry& registry);      // kernel, kernels
 void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity
+void read_reference(Case& scene, Section& root, Registry& registry);    // reference; sources may take their field from it
 void read_sources(Case& scene, Section& root, Registry& registry);      // sources
+void prepare_reference(Case& scene, const Section& root);                // with the sources' waves
 void read_initial(Case& scene, Section& root);                            // initial
 void read_time(Case& scene, Section& root, Registry& registry);         // integrator, until
-void read_results(Case& scene, Section& root, Registry& registry);      // reference, output
+void read_output(Case& scene, Section& root);                             // output
 
 }    // namespace sphonic

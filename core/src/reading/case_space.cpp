@@ -56,21 +56,23 @@ void read_boundaries(Case& scene, Section& root, Registry& registry) {
 }
 
 /// Sites per axis: periodic axes exclude the upper end and must hold a whole number of spacings.
-double sites(const abi::Box& box, int axis, const Section& section) {
+double sites(const abi::Box& box, int axis, bool on_sites, const Section& section) {
     const double length = (box.upper[axis] - box.lower[axis]) / box.dx;
     if (!box.periodic[axis]) return std::floor(length + 1e-9) + 1;
-    if (std::abs(length - std::round(length)) > 1e-6)
+    if (on_sites && std::abs(length - std::round(length)) > 1e-6)
         section.fail("dx", "the periodic axis " + std::string(1, "xyz"[axis]) + " is " + Json(length).dump() + " spacings long",
                      "Choose dx or upper so that (upper - lower)/dx is an integer");
     return std::round(length);
 }
 
-void count_sites(abi::Box& box, const Section& section) {
+void count_sites(Case& scene, const Section& section) {
+    abi::Box& box = scene.box;
+    const bool on_sites = scene.arrangement->regular() || !scene.method->meshfree();
     double total = 1;
     for (int a = 0; a < box.dimension; ++a) {
         if (box.upper[a] <= box.lower[a])
             section.fail("upper", "upper is not above lower along axis " + std::string(1, "xyz"[a]), "Give upper > lower");
-        const double n = sites(box, a, section);
+        const double n = sites(box, a, on_sites, section);
         if (n < 2) section.fail("dx", "there are fewer than two particles along axis " + std::string(1, "xyz"[a]), "Choose a smaller dx");
         total *= n;
         box.count[a] = n < 9e18 ? long(n) : 0;
@@ -92,7 +94,8 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     const auto lower = section.point("lower", box.dimension), upper = section.point("upper", box.dimension);
     std::copy(lower.begin(), lower.end(), box.lower);
     std::copy(upper.begin(), upper.end(), box.upper);
-    count_sites(box, section);
+    count_sites(scene, section);
+    prepared(section.place(), [&] { scene.arrangement->prepare(box); });
     scene.jitter = section.real(common_key("arrangement", "jitter"));
     scene.seed = section.read(common_key("arrangement", "seed")).integer;
     const std::string motion = section.read(common_key("arrangement", "motion")).text;

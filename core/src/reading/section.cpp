@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <sphonic/error.hpp>
 #include <sphonic/nearest.hpp>
@@ -131,6 +132,7 @@ abi::Value Section::read(const abi::ParameterInfo& row) {
             if (row.choices[0]) choice(row.name, "", split(row.choices));
             if (!member->is_string()) fail(row.name, shown(*member) + " is not a string", "Give a string");
             value.text = member->get_ptr<const std::string*>()->c_str();
+            if (row.unit == std::string(abi::file_unit)) return read_file(row, value.text);
             break;
         case abi::ParameterType::vector: {
             if (!member->is_array() || member->empty() || member->size() > 3)
@@ -144,6 +146,14 @@ abi::Value Section::read(const abi::ParameterInfo& row) {
     }
     resolved[row.name] = *member;
     return value;
+}
+
+/// The whole path of a file that is named as seen from the case's folder; so resolved, the case runs from anywhere.
+abi::Value Section::read_file(const abi::ParameterInfo& row, const std::string& name) {
+    const auto folder = std::filesystem::path(file_).parent_path();
+    paths_.push_back(std::filesystem::absolute(folder / name).lexically_normal().string());
+    resolved[row.name] = paths_.back();
+    return {.type = abi::ParameterType::text, .text = paths_.back().c_str()};
 }
 
 std::vector<abi::Value> Section::read(std::span<const abi::ParameterInfo> table) {

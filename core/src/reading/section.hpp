@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,7 +15,7 @@ namespace sphonic {
 /// What is read, and each default used, goes to `resolved` in the order of reading.
 class Section {
 public:
-    /// `value` must outlive the section and every abi::Value read from it.
+    /// `value` and the section must outlive every abi::Value read from it.
     Section(const Json& value, std::string file, std::string pointer);
 
     /// Marks the key as known.
@@ -51,6 +52,9 @@ private:
     const Json& value_;
     std::string file_, pointer_;
     std::set<std::string> known_;
+    std::deque<std::string> paths_;    ///< that values point to
+
+    abi::Value read_file(const abi::ParameterInfo& row, const std::string& name);
 };
 
 /// A parameter row of the runtime's own keys.

@@ -1,9 +1,12 @@
 #include "machine.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <limits>
 #include <string>
+
+#include <sched.h>
 
 namespace sphonic {
 namespace {
@@ -24,7 +27,16 @@ double available_memory() {
     return std::numeric_limits<double>::infinity();
 }
 
-double thread_cpu_seconds() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
+double available_cores() {
+    cpu_set_t allowed;
+    double cores = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : 1;
+    std::ifstream quota("/sys/fs/cgroup/cpu.max");
+    double share = 0, period = 0;
+    if (quota >> share >> period) cores = std::min(cores, std::max(1.0, share / period));    // "max" instead of a number: no quota
+    return cores;
+}
+
+double cpu_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 double wall_seconds() { return clock_seconds(CLOCK_MONOTONIC); }
 
 }    // namespace sphonic

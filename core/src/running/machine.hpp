@@ -4,8 +4,10 @@ namespace sphonic {
 
 /// Memory that a new process could take without swapping [bytes].
 double available_memory();
-/// CPU time of the calling thread [s].
-double thread_cpu_seconds();
+/// Cores that this process may keep busy: its affinity, and the quota of its control group if there is one.
+double available_cores();
+/// CPU time of the process, all threads [s].
+double cpu_seconds();
 /// Monotonic wall clock [s].
 double wall_seconds();
 

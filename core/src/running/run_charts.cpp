@@ -86,7 +86,7 @@ Panel magnified(const Case& scene, const Row& row, std::size_t crest) {
 
 Chart pressure_chart(const Case& scene, const Summary& summary, const Profile& profile) {
     const Row row = row_of(scene, profile);
-    Chart chart{.title = scene.title + text(", t = %.4g s", summary.t), .panels = {}, .width = 1200, .height = 500};
+    Chart chart{.title = scene.title + text(", t = %.4g s", profile.t), .panels = {}, .width = 1200, .height = 500};
     Panel whole{.title = "", .x = {.label = "x [m]"}, .y = {.label = "sound pressure p [Pa]"},
                 .curves = curves(row, 0, row.x.size(), Curve::Style::line)};
     if (summary.errors) whole.title = text("L2 error %.3g", summary.errors->l2) + text(", largest %.3g Pa", summary.errors->max);

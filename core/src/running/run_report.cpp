@@ -58,7 +58,7 @@ std::string profile_csv(const Profile& profile, int dimension) {
 
 void write_results(const Case& scene, Simulation& simulation, const ResultFolder& folder) {
     const Summary& summary = simulation.summary();
-    const Profile profile = simulation.profile();
+    const Profile profile = summary.diverged ? simulation.last_good() : simulation.profile();
     folder.write("resolved.json", json_text(*scene.resolved));
     folder.write("summary.json", json_text(to_json(summary)));
     folder.write("profile.csv", profile_csv(profile, scene.box.dimension));

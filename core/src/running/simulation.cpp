@@ -10,7 +10,9 @@
 #include <sphonic/version.hpp>
 
 #include "machine.hpp"
+#include "parallel.hpp"
 #include "scene.hpp"
+#include "sentinel.hpp"
 
 namespace sphonic {
 namespace {
@@ -33,19 +35,26 @@ std::vector<double> exact_pressure(const Case& scene, double t, const abi::Point
 }    // namespace
 
 Simulation::Simulation(const Case& scene) : scene_(scene) {
-    const double begin = thread_cpu_seconds();
+    const double begin = cpu_seconds();
     solver_ = scene.method->discretise(SceneView(scene).scene);
     summary_.title = scene.title;
     summary_.method = scene.method_name;
     summary_.integrator = scene.integrator_name;
     summary_.warnings = scene.warnings;
     fix_step();
-    solver_->start(summary_.dt);
+    try {
+        solver_->start(summary_.dt);
+    } catch (const std::invalid_argument& e) {
+        throw Error(Fault::input, scene.file + ": /sources", e.what());
+    }
     summary_.tier = solver_->tier();
+    summary_.threads = scene.method->meshfree() ? threads_for(scene) : 1;
     summary_.neighbours_mean = solver_->neighbours_mean();
     summary_.memory_bytes = solver_->memory_bytes();
-    summary_.setup_s = thread_cpu_seconds() - begin;
+    summary_.setup_s = cpu_seconds() - begin;
     find_probes();
+    sentinel_ = std::make_unique<Sentinel>(scene, *solver_);
+    sentinel_->look();
     summary_.energy_initial = summary_.energy_final = solver_->energy();
 }
 
@@ -64,6 +73,8 @@ void Simulation::fix_step() {
     if (summary_.dt_limit == 0 && !choice.allow_unstable)
         throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" is unstable at every step",
                     "Choose another integrator, or set \"unstable\": \"allow\" to study the failure");
+    if (!std::isfinite(dt))
+        throw Error(Fault::input, place, "the equations bound no step: nothing changes in this set", "Check the kernel's h and the equations, or give dt");
     if (dt == 0) throw Error(Fault::input, place, "no step is stable", "Give dt or courant");
     const double steps = std::max(1.0, std::ceil(scene_.until / dt - 1e-9));
     if (steps > 1e15) throw Error(Fault::input, place, "the run would take " + shown(steps) + " steps", "Choose a larger step or a shorter run");
@@ -122,38 +133,24 @@ void Simulation::sample() {
     }
 }
 
-/// Finite, and no larger than any sound that the sources could have made.
-bool Simulation::healthy() {
-    double loudest = 0;
-    for (const SourceUse& use : scene_.sources)
-        if (const abi::PlaneWave* wave = use.source->wave()) loudest += std::abs(wave->amplitude);
-    const double ceiling = loudest > 0 ? 1e3 * loudest : std::numeric_limits<double>::infinity();
-    const abi::Snapshot shot = solver_->snapshot();
-    for (int i = 0; i < shot.points.n; ++i) {
-        if (std::abs(shot.p[i]) <= ceiling && std::isfinite(shot.p[i])) continue;
-        summary_.diverged = true;
-        summary_.diverged_how = "at t = " + shown(solver_->time()) + " s the pressure of particle " + std::to_string(i) + " at x = " +
-                                shown(shot.points.x[0][i]) + " m is " + shown(shot.p[i]) + " Pa; the sources make " + shown(loudest) + " Pa";
-        return false;
-    }
-    return true;
-}
-
 void Simulation::advance_to(long target, const std::function<void(const Progress&)>& progress) {
     constexpr double slice_s = 0.1;
     long done = std::lround(solver_->time() / summary_.dt), slice = 1;
     while (done < target && !summary_.diverged) {
         const long count = std::min(slice, target - done);
-        const double cpu = thread_cpu_seconds(), wall = wall_seconds();
+        const double cpu = cpu_seconds(), wall = wall_seconds();
         for (long s = 0; s < count; ++s) solver_->step();
         const double spent = wall_seconds() - wall;
-        summary_.cpu_s += thread_cpu_seconds() - cpu;
+        summary_.cpu_s += cpu_seconds() - cpu;
         summary_.wall_s += spent;
         done += count;
         if (spent < slice_s) slice *= 2;
         if (spent > 2 * slice_s) slice = std::max(1L, slice / 2);
         if (progress) progress({done, summary_.steps, summary_.wall_s});
-        healthy();
+        if (const auto complaint = sentinel_->look()) {
+            summary_.diverged = true;
+            summary_.diverged_how = *complaint;
+        }
     }
 }
 
@@ -170,6 +167,7 @@ void Simulation::run(const std::function<void(const Progress&)>& progress) {
         sample();
     }
     summary_.t = solver_->time();
+    summary_.last_good_t = sentinel_->last_good().t;
     summary_.particle_steps = double(summary_.particles) * std::round(summary_.t / summary_.dt);
     summary_.memory_bytes = solver_->memory_bytes();
     summary_.energy_final = solver_->energy();
@@ -178,12 +176,24 @@ void Simulation::run(const std::function<void(const Progress&)>& progress) {
 
 Profile Simulation::profile() {
     const abi::Snapshot shot = solver_->snapshot();
-    Profile out;
+    Profile out{.t = solver_->time()};
     for (int a = 0; a < scene_.box.dimension; ++a) out.x[a].assign(shot.points.x[a], shot.points.x[a] + shot.points.n);
     out.p.assign(shot.p, shot.p + shot.points.n);
-    out.exact = exact_pressure(scene_, solver_->time(), shot.points);
-    out.in_region = in_region_;
+    complete(out);
     return out;
+}
+
+Profile Simulation::last_good() {
+    Profile out = sentinel_->last_good();
+    complete(out);
+    return out;
+}
+
+void Simulation::complete(Profile& profile) const {
+    abi::Points points{.dimension = scene_.box.dimension, .n = int(profile.p.size())};
+    for (int a = 0; a < scene_.box.dimension; ++a) points.x[a] = profile.x[a].data();
+    profile.exact = exact_pressure(scene_, profile.t, points);
+    profile.in_region = in_region_;
 }
 
 Errors Simulation::measure() {
@@ -204,22 +214,6 @@ Errors Simulation::measure() {
     e.rms = std::sqrt(squares / double(e.n)) / e.scale;
     e.l2 = std::sqrt(squares / exact_squares);
     return e;
-}
-
-Json to_json(const Summary& s) {
-    Json errors = nullptr;
-    if (s.errors)
-        errors = {{"eps", s.errors->eps}, {"rms", s.errors->rms}, {"l2", s.errors->l2}, {"max", s.errors->max},
-                  {"n", s.errors->n}, {"scale", s.errors->scale}};
-    const double per_step = s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0;
-    return {{"title", s.title}, {"method", s.method}, {"integrator", s.integrator}, {"steps", s.steps}, {"dt", s.dt},
-            {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak}, {"particles", s.particles}, {"neighbours_mean", s.neighbours_mean}, {"tier", s.tier},
-            {"threads", s.threads}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"setup_s", s.setup_s},
-            {"ns_per_particle_step", per_step}, {"particle_steps", s.particle_steps},
-            {"nominal_particle_steps", double(s.particles) * double(s.steps)}, {"memory_bytes", s.memory_bytes},
-            {"t", s.t}, {"errors", errors}, {"energy", {{"initial", s.energy_initial}, {"final", s.energy_final}}},
-            {"diverged", s.diverged}, {"diverged_how", s.diverged_how}, {"warnings", s.warnings}, {"git", commit()},
-            {"version", version()}};
 }
 
 }    // namespace sphonic

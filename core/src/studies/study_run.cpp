@@ -51,10 +51,11 @@ void open_folder(const fs::path& folder, bool force) {
     if (failed) throw Error(Fault::io, place, "cannot be created: " + failed.message(), "Check space and permissions");
 }
 
-StudyResult run_once(const StudyPoint& point, Registry& registry, const Report& report) {
+StudyResult run_once(const StudyPoint& point, int threads, Registry& registry, const Report& report) {
     StudyResult result;
     try {
-        const Case scene = load_case(point.document, point.file, registry);
+        Case scene = load_case(point.document, point.file, registry);
+        scene.threads = threads;
         Simulation simulation(scene);
         simulation.run([&](const Progress& p) { report(double(p.step) / double(p.steps)); });
         result.summary = simulation.summary();
@@ -79,7 +80,7 @@ bool same(const StudyResult& a, const StudyResult& b) {
 StudyResult run_point(const Study& study, const StudyPoint& point, Registry& registry, const Report& report) {
     std::vector<StudyResult> runs;
     for (int r = 0; r < study.repeat; ++r) {
-        runs.push_back(run_once(point, registry, [&](double fraction) { report((r + fraction) / study.repeat); }));
+        runs.push_back(run_once(point, study.threads, registry, [&](double fraction) { report((r + fraction) / study.repeat); }));
         if (runs.back().status != Status::done) return runs.back();
     }
     const bool repeatable = std::ranges::all_of(runs, [&](const StudyResult& run) { return same(run, runs[0]); });

@@ -1,22 +1,22 @@
 #include "mode_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace sphonic {
 
-ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol) : A_(symbol) {
-    std::vector<int> first;
+ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol, std::optional<Forcing> forcing) : A_(symbol), forcing_(forcing) {
     int count = 0;
     for (const Variable& v : scene.equations.variables) {
-        first.push_back(count);
+        first_.push_back(count);
         if (v.evolved()) count += v.components(scene.box.dimension);
     }
     for (const auto& group : scene.equations.order) {
         order_.emplace_back();
         for (const int v : group)
             for (int c = 0; c < scene.equations.variables[std::size_t(v)].components(scene.box.dimension); ++c)
-                order_.back().push_back(first[std::size_t(v)] + c);
+                order_.back().push_back(first_[std::size_t(v)] + c);
     }
     all_.resize(std::size_t(symbol.n));
     std::iota(all_.begin(), all_.end(), 0);
@@ -24,11 +24,11 @@ ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol) : A_(symbol) {
     unit_slots();
 }
 
-/// Slot s becomes the rows s n ... of the identity over all slots.
+/// Slot s becomes the rows s n ... of the identity over all slots. Two more columns begin at zero and feel the forcing.
 void ModeSystem::unit_slots() {
     const std::size_t n = std::size_t(A_.n), size = n * slots_.size();
     for (std::size_t s = 0; s < slots_.size(); ++s) {
-        slots_[s].assign(n, std::vector<double>(size, 0.0));
+        slots_[s].assign(n, std::vector<double>(size + 2, 0.0));
         for (std::size_t r = 0; r < n; ++r) slots_[s][r][s * n + r] = 1;
     }
 }
@@ -46,11 +46,15 @@ abi::Slot ModeSystem::history(const char* name) {
     return int(slots_.size()) - 1;
 }
 
-std::vector<double> ModeSystem::rate_of(int row) const {
+std::vector<double> ModeSystem::rate_of(int row, double t) const {
     std::vector<double> rate(slots_[0][0].size(), 0.0);
     for (int c = 0; c < A_.n; ++c) {
         const double a = A_.a[std::size_t(row * A_.n + c)];
         for (std::size_t k = 0; k < rate.size(); ++k) rate[k] += a * slots_[0][std::size_t(c)][k];
+    }
+    if (forcing_ && row == first_[std::size_t(forcing_->variable)]) {
+        rate[rate.size() - 2] += std::cos(forcing_->omega * t);
+        rate[rate.size() - 1] += std::sin(forcing_->omega * t);
     }
     return rate;
 }
@@ -61,15 +65,15 @@ void ModeSystem::count(abi::Group group) {
     evaluations_ += double(rows(group).size()) / double(A_.n);
 }
 
-void ModeSystem::rate(abi::Group group, double, abi::Slot out) {
+void ModeSystem::rate(abi::Group group, double t, abi::Slot out) {
     count(group);
-    for (const int r : rows(group)) slots_[std::size_t(out)][std::size_t(r)] = rate_of(r);
+    for (const int r : rows(group)) slots_[std::size_t(out)][std::size_t(r)] = rate_of(r, t);
 }
 
-void ModeSystem::advance(abi::Group group, double, double dt) {
+void ModeSystem::advance(abi::Group group, double t, double dt) {
     count(group);
     std::vector<std::vector<double>> rates;
-    for (const int r : rows(group)) rates.push_back(rate_of(r));
+    for (const int r : rows(group)) rates.push_back(rate_of(r, t));
     for (std::size_t i = 0; i < rates.size(); ++i) {
         auto& row = slots_[0][std::size_t(rows(group)[i])];
         for (std::size_t k = 0; k < row.size(); ++k) row[k] += dt * rates[i][k];
@@ -101,6 +105,12 @@ Symbol ModeSystem::one_step_map(const abi::Integrator& integrator, double dt) {
         for (const Rows& slot : slots_)
             for (const auto& row : slot) used = used || row[c] != 0;
         if (used) kept.push_back(c);
+    }
+    forced_.clear();
+    for (const std::size_t r : kept) {
+        const auto& row = slots_[r / n][r % n];
+        const std::complex<double> gained(row[size], row[size + 1]);
+        forced_.push_back(forcing_ ? gained * std::polar(1.0, -forcing_->omega * dt) : gained);
     }
     Symbol map{.n = int(kept.size()), .a = {}};
     for (const std::size_t r : kept)

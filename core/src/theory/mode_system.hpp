@@ -1,4 +1,6 @@
 #pragma once
+#include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +12,20 @@ namespace sphonic {
 /// step over the identity gives the one-step map of any integrator, its histories included.
 class ModeSystem final : public abi::System {
 public:
-    ModeSystem(const Case& scene, const Symbol& symbol);
+    /// A rate cos(omega t) + i sin(omega t) added to a scalar variable.
+    struct Forcing {
+        int variable;
+        double omega;    ///< [rad/s]
+    };
+    ModeSystem(const Case& scene, const Symbol& symbol, std::optional<Forcing> forcing = {});
 
     /// The matrix that takes (state, histories that persist) over a step `dt`, past the first step.
     Symbol one_step_map(const abi::Integrator& integrator, double dt);
+
+    /// After one_step_map: what the forcing, with the phase that it has when the step begins at t = 0, adds in a step.
+    const std::vector<std::complex<double>>& forced() const { return forced_; }
+    /// Row of an evolved variable's first component, in the symbol and in the map.
+    int row(int variable) const { return first_[std::size_t(variable)]; }
 
     /// What the last step cost: calls for a rate, and whole evaluations of the equations that they add up to.
     int rate_calls() const { return rate_calls_; }
@@ -30,7 +42,10 @@ public:
 private:
     using Rows = std::vector<std::vector<double>>;    ///< [row][column]
     const Symbol& A_;
+    std::optional<Forcing> forcing_;
+    std::vector<int> first_;                 ///< row of each evolved variable
     std::vector<std::vector<int>> order_;    ///< rows of each splitting group
+    std::vector<std::complex<double>> forced_;
     std::vector<int> all_, none_;
     std::vector<std::string> names_{"state"};
     std::vector<Rows> slots_;
@@ -40,7 +55,7 @@ private:
 
     void count(abi::Group group);
     const std::vector<int>& rows(abi::Group group) const;
-    std::vector<double> rate_of(int row) const;
+    std::vector<double> rate_of(int row, double t) const;
     void unit_slots();
 };
 

@@ -6,7 +6,7 @@
 #include <sphonic/json.hpp>
 #include <sphonic/stability.hpp>
 
-#include "eigenvalues.hpp"
+#include "linear_algebra.hpp"
 #include "mode_system.hpp"
 
 namespace sphonic {
@@ -60,7 +60,7 @@ bool is_viscous(const Case& scene) {
 double wave_error(const Case& scene, const abi::PlaneWave& wave, double dt) {
     constexpr int samples = 400;
     const double k = wave.omega / scene.medium.c0, length = scene.medium.c0 * scene.until;
-    const TravellingMode mode = travelling_mode(scene, k, wave.direction, dt);
+    const TravellingMode mode = travelling_mode(scene, k, wave.direction, dt, 0.5);
     const double slip = k * (1 - wave.omega / mode.omega), decay = mode.decay / scene.medium.c0;
     double sum = 0;
     for (int i = 0; i < samples; ++i) {
@@ -96,10 +96,10 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
 
 }    // namespace
 
-TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt) {
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity) {
     double vector[3] = {0, 0, 0};
     for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
-    const Symbol A = symbol(scene, vector, 0.5);
+    const Symbol A = symbol(scene, vector, viscosity);
     const Symbol map = ModeSystem(scene, A).one_step_map(*scene.integrator, dt);
     const std::complex<double> exact = std::polar(1.0, k * scene.medium.c0 * dt);
     std::complex<double> best = 0;

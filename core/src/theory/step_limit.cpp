@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "eigenvalues.hpp"
+#include "linear_algebra.hpp"
 #include "mode_system.hpp"
 
 namespace sphonic {

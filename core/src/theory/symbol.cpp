@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "eigenvalues.hpp"
+#include "linear_algebra.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
@@ -25,17 +25,6 @@ std::vector<int> rows_of(const Equations& e, int dimension, int& count) {
     return row;
 }
 
-/// The evolved variable behind v, and dv/d(it) at rest.
-std::pair<int, double> behind(const Case& scene, int v) {
-    const auto& variables = scene.equations.variables;
-    double slope = 1;
-    while (!variables[std::size_t(v)].evolved()) {
-        slope *= variables[std::size_t(v)].state->derivative(scene.medium, 0);
-        v = variables[std::size_t(v)].of;
-    }
-    return {v, slope};
-}
-
 /// Value of a variable at rest: densities are rho0, all else is zero.
 double at_rest(const Case& scene, int v) { return v == scene.equations.density ? scene.medium.rho0 : 0; }
 
@@ -54,7 +43,7 @@ double phase(const Case& scene, const Offset& n, const double* k) {
 void add_derivative(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
                     const std::vector<int>& rows, const Matrix& A) {
     const double other = rest_coefficients(*term.form, scene.medium.rho0).other;
-    const auto [base, slope] = behind(scene, term.operand);
+    const auto [base, slope] = scene.behind(term.operand);
     const double factor = 2 * lattice_volume(scene.box) * other * slope * rest_coefficient(scene, term);
     for (const Offset& n : half) {
         const double s = std::sin(phase(scene, n, k));

@@ -58,6 +58,12 @@ constexpr Parameter<T> text(const char* name, std::string T::*member, const char
     return {name, "1", 0, 0, doc, choices, member};
 }
 
+/// A file, written in a case as seen from the case's own folder; the plugin gets the whole path.
+template <class T>
+constexpr Parameter<T> file(const char* name, std::string T::*member, const char* doc) {
+    return {name, abi::file_unit, 0, 0, doc, "", member};
+}
+
 template <class T>
 constexpr Parameter<T> vector(const char* name, Vector T::*member, const char* unit, double lower, double upper,
                               const char* doc) {

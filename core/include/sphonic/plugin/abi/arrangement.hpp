@@ -9,7 +9,7 @@ struct Box {
     double lower[3] = {0, 0, 0};    ///< [m]
     double upper[3] = {0, 0, 0};    ///< [m]
     bool periodic[3] = {false, false, false};
-    long count[3] = {1, 1, 1};    ///< lattice sites per axis
+    long count[3] = {1, 1, 1};    ///< sites per axis of a lattice of this spacing
 };
 
 /// Where the particles of a set lie. The runtime owns the box; an arrangement fills in positions, x fastest.
@@ -18,9 +18,17 @@ public:
     static constexpr const char* kind = "arrangement";
     virtual ~Arrangement() = default;
 
+    /// Called once before anything else; throws std::invalid_argument with a remedy if it cannot fill the box.
+    virtual void prepare(const Box&) {}
     /// True when the sites are exactly x = lower + i dx: frozen sets then run as a stencil.
     virtual bool regular() const = 0;
     virtual long size(const Box& box) const = 0;
+    /// Volume that each particle stands for [m^d].
+    virtual double volume(const Box& box) const {
+        double v = 1;
+        for (int a = 0; a < box.dimension; ++a) v *= box.dx;
+        return v;
+    }
     /// Coordinate a of particle i goes to x[a][i].
     virtual void place(const Box& box, double* const x[3]) const = 0;
 };

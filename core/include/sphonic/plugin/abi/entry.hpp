@@ -25,10 +25,13 @@ struct Value {
     int size = 0;    ///< components of `vector`; 0 means "not given"
 };
 
+/// Unit of a text parameter that is a file's path, seen from the folder of the case.
+inline constexpr const char* file_unit = "file";
+
 /// One row of a plugin's parameter table, from which parsing, range errors, `describe` and the documents are made.
 struct ParameterInfo {
     const char* name;
-    const char* unit;       ///< "1" for a pure number
+    const char* unit;       ///< "1" for a pure number or a text
     double lower, upper;    ///< inclusive; `positive` as the lower bound means "> 0"
     const char* doc;
     const char* choices;    ///< "a|b|c" for a text parameter with a closed set, else empty

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <sphonic/plugin/abi/arrangement.hpp>
 #include <sphonic/plugin/abi/source.hpp>
@@ -28,6 +29,8 @@ public:
     virtual Snapshot snapshot() = 0;
     /// The scheme's own discrete energy [J/m^(3-d)].
     virtual double energy() = 0;
+    /// The initial energy and the most that sources can have put in so far: a stable run stays below. Infinity if not known.
+    virtual double energy_bound() const { return std::numeric_limits<double>::infinity(); }
     virtual const char* tier() const = 0;
     /// Mean number of neighbours without the particle itself.
     virtual double neighbours_mean() const = 0;
@@ -37,10 +40,12 @@ public:
 
 /// A source with the region it acts on.
 struct PlacedSource {
-    const Source* source = nullptr;
-    /// Writes 1 for each point inside, else 0.
-    void (*inside)(const void* region, const Points& points, unsigned char* out) = nullptr;
-    const void* region = nullptr;
+    Source* source = nullptr;
+    /// Writes 1 for each point that lies in the case's region and that the source reaches, else 0.
+    void (*inside)(const void* host, const Points& points, unsigned char* out) = nullptr;
+    /// Throws the error of a source without points, at its place in the case.
+    void (*reaches_nothing)(const void* host) = nullptr;
+    const void* host = nullptr;
 };
 
 /// The scene as a method sees it.
@@ -48,6 +53,7 @@ struct Scene {
     Box box;
     Medium medium;
     double until = 0;    ///< [s]
+    int threads = 1;     ///< that a method may use
     const PlacedSource* sources = nullptr;
     int source_count = 0;
     /// Initial values of a field ("p", or component `axis` of "u") at points; false, and nothing written, if the case gives none.

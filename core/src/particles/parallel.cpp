@@ -1,0 +1,20 @@
+#include "parallel.hpp"
+
+#include <cmath>
+
+#include <omp.h>
+
+#include "machine.hpp"
+
+namespace sphonic {
+
+int threads_for(const Case& scene) {
+    if (scene.threads > 0) return scene.threads;
+    /// Pairs per thread and evaluation that take some hundred microseconds, ten times what waking a thread does.
+    constexpr double worthwhile_pairs = 4e5;
+    const double reach = scene.radius() / scene.box.dx, d = scene.box.dimension;
+    const double neighbours = std::pow(2 * reach, d), pairs = neighbours * double(scene.arrangement->size(scene.box));
+    return std::max(1, int(std::min({pairs / worthwhile_pairs, double(omp_get_max_threads()), available_cores()})));
+}
+
+}    // namespace sphonic

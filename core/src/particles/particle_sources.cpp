@@ -1,0 +1,66 @@
+#include "parallel.hpp"
+#include "particle_system.hpp"
+
+/// What sources do to a set: values that they impose, rates that they add, and the energy that comes of it.
+namespace sphonic {
+
+void ParticleSystem::impose(SourceMembers& source, double t, bool pressure, bool velocity) {
+    if (!pressure && !velocity) return;
+    if (moving()) source.follow(positions().data(), threads_);
+    source.evaluate(t, pressure, velocity, threads_);
+    if (pressure) {
+        budget_.imposed(source.p(), 1 / bulk_modulus());
+        set_scalar(pressure_, source.at(), source.p());
+    }
+    for (int a = 0; velocity && a < scene_.box.dimension; ++a) {
+        budget_.imposed(source.u(a), scene_.medium.rho0);
+        put(source.at(), source.u(a), components_.first[std::size_t(velocity_)] + a);
+    }
+}
+
+void ParticleSystem::put(const std::vector<std::ptrdiff_t>& at, const std::vector<double>& value, int component) {
+    double* target = store_.array(abi::state, component);
+    for (std::size_t i = 0; i < at.size(); ++i) target[at[i]] = value[i];
+}
+
+/// Sets a scalar, or, where it is algebraic, the evolved variable that it is computed from.
+void ParticleSystem::set_scalar(int v, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value) {
+    const auto& variables = scene_.equations.variables;
+    for (; !variables[std::size_t(v)].evolved(); v = variables[std::size_t(v)].of)
+        variables[std::size_t(v)].state->invert(scene_.medium, int(value.size()), value.data(), value.data());
+    put(at, value, components_.first[std::size_t(v)]);
+}
+
+double ParticleSystem::bulk_modulus() const { return scene_.medium.rho0 * scene_.medium.c0 * scene_.medium.c0; }
+
+void ParticleSystem::add_sources(const Part& part, double t, abi::Slot out, double scale) {
+    const auto [evolved, slope] = scene_.behind(pressure_);
+    const bool pressure = part.has(evolved), velocity = part.has(velocity_);
+    if (!pressure && !velocity) return;
+    double energy = 0;
+    const auto add = [&](const SourceMembers& source, int component, const std::vector<double>& rate, double factor) {
+        double* target = store_.array(out, component);
+        double squares = 0;
+        for (std::size_t i = 0; i < rate.size(); ++i) {
+            target[source.at()[i]] += scale * factor * rate[i];
+            squares += rate[i] * rate[i];
+        }
+        return squares;
+    };
+    for (SourceMembers& source : sources_) {
+        if (!source.action.adds) continue;
+        if (moving()) source.follow(positions().data(), threads_);
+        source.evaluate(t, pressure, velocity, threads_);
+        if (pressure) energy += add(source, components_.first[std::size_t(evolved)], source.p(), 1 / slope) / bulk_modulus();
+        for (int a = 0; velocity && a < scene_.box.dimension; ++a)
+            energy += scene_.medium.rho0 * add(source, components_.first[std::size_t(velocity_)] + a, source.u(a), 1);
+    }
+    supply_ = std::max(supply_, 0.5 * scene_.particle_volume() * energy);
+}
+
+void ParticleSystem::close_step(double dt) {
+    budget_.added(supply_, dt);
+    supply_ = 0;
+}
+
+}    // namespace sphonic
