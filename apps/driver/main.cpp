@@ -8,6 +8,7 @@
 #include <sphonic/version.hpp>
 
 #include "commands.hpp"
+#include "threads.hpp"
 
 namespace {
 
@@ -33,6 +34,7 @@ void add_output(CLI::App& command, RunOptions& options) {
 }    // namespace
 
 int main(int argc, char** argv) {
+    wait_passively(argv);
     CLI::App app{"sphonic: meshfree acoustics from plugins and JSON", "sphonic"};
     app.set_version_flag("--version", std::string(sphonic::version()) + " (" + sphonic::commit() + ")");
     app.require_subcommand(1);

@@ -25,7 +25,9 @@ inline Case lattice(int dimension, int n, double h_over_dx, const std::vector<st
                   {"integrator", {{"type", "symplectic_euler"}, {"courant", 0.1}}},
                   {"until", 1e9}};
     for (const std::string& assignment : set) set_at(document, assignment);
-    return load_case(std::move(document), SPHONIC_SOURCE_DIR "/cases/benchmark/lattice.json", registry);
+    Case scene = load_case(std::move(document), SPHONIC_SOURCE_DIR "/cases/benchmark/lattice.json", registry);
+    scene.threads = 1;
+    return scene;
 }
 
 inline const std::string monaghan = R"(/viscosity={"type":"monaghan","alpha":0.06,"beta":0.5})";

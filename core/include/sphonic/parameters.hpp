@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include <sphonic/json_fwd.hpp>
 #include <sphonic/plugin/abi/entry.hpp>
@@ -23,5 +24,25 @@ const char* type_name(abi::ParameterType type);
 std::span<const abi::ParameterInfo> common_keys(const std::string& kind);
 /// One of them, by name.
 const abi::ParameterInfo& common_key(const std::string& kind, const std::string& name);
+
+/// Which common keys of a kind stand together. The reader and the schema both go by this.
+struct KeyRule {
+    enum class How {
+        required,              ///< each of them
+        required_to_impose,    ///< each of them, of a source whose action sets values
+        exactly_one,
+        at_most_one,
+    } how;
+    std::vector<std::string> keys;
+    const char* what;      ///< they give, for the message that none does
+    const char* remedy;    ///< empty: made from the key's row
+};
+std::span<const KeyRule> key_rules(const std::string& kind);
+
+/// Names that expressions give a meaning of their own: no variable can have them.
+std::span<const std::string> reserved_names();
+
+/// The shortest text of a number: "1e-05", "3", not "3.0".
+std::string number_text(double x);
 
 }    // namespace sphonic

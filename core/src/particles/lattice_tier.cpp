@@ -84,7 +84,8 @@ private:
         const long n = l.count[axis], g = l.ghosts[axis], step = l.stride[axis];
         const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
         const long lines = l.count[b] + 2 * l.ghosts[b];
-        in_parallel(l.size < block_length ? 1 : grid_.threads, l.count[c] + 2 * l.ghosts[c], [=, &l](long k) {
+        const bool worthwhile = lines * (l.count[c] + 2 * l.ghosts[c]) * g > 20 * block_length;
+        in_parallel(worthwhile ? grid_.threads : 1, l.count[c] + 2 * l.ghosts[c], [=, &l](long k) {
             for (long j = 0; j < lines; ++j) {
                 double* line = field + l.origin + (j - l.ghosts[b]) * l.stride[b] + (k - l.ghosts[c]) * l.stride[c];
                 for (long i = 1; i <= g; ++i) {

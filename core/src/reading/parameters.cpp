@@ -58,9 +58,23 @@ const Tables& tables() {
     return all;
 }
 
-std::string shortest(double x) { return Json(x).dump(); }
+const std::map<std::string, std::vector<KeyRule>>& rules() {
+    using enum KeyRule::How;
+    static const std::map<std::string, std::vector<KeyRule>> all{
+        {"kernel", {{exactly_one, {"h", "h_over_dx"}, "the smoothing length", "Give one of h [m] and h_over_dx"}}},
+        {"source", {{required_to_impose, {"region"}, "", "Say which particles it acts on, such as \"x < 0\""}}},
+        {"boundary", {{required, {"face"}, "", "Give x_min, x_max, ..., an axis such as \"x\", or \"all\""}}},
+        {"arrangement", {{required, {"dx", "lower", "upper"}, "", ""}}},
+        {"integrator", {{at_most_one, {"dt", "courant", "safety"}, "the step", "Give one of dt, courant and safety"}}}};
+    return all;
+}
 
 }    // namespace
+
+std::string number_text(double x) {
+    const std::string text = Json(x).dump();
+    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
 
 Json to_json(const abi::Value& value) {
     switch (value.type) {
@@ -85,16 +99,16 @@ std::string range_sentence(const abi::ParameterInfo& row) {
     const std::string unit = std::string(row.unit) == "1" ? "" : std::string(" [") + row.unit + "]";
     std::string range;
     if (row.lower == positive) range = "greater than 0";
-    if (row.lower != positive && row.lower > -infinite) range = "at least " + shortest(row.lower);
-    if (row.upper < infinite) range += (range.empty() ? "" : " and ") + ("at most " + shortest(row.upper));
+    if (row.lower != positive && row.lower > -infinite) range = "at least " + number_text(row.lower);
+    if (row.upper < infinite) range += (range.empty() ? "" : " and ") + ("at most " + number_text(row.upper));
     return std::string(row.name) + unit + " must be " + (range.empty() ? "a finite number" : range);
 }
 
 std::string range_short(const abi::ParameterInfo& row) {
     if (row.choices[0]) return row.choices;
     if (row.initial.type != Type::real && row.initial.type != Type::integer) return "";
-    const std::string low = row.lower == positive ? "> 0" : row.lower > -infinite ? ">= " + shortest(row.lower) : "";
-    const std::string high = row.upper < infinite ? "<= " + shortest(row.upper) : "";
+    const std::string low = row.lower == positive ? "> 0" : row.lower > -infinite ? ">= " + number_text(row.lower) : "";
+    const std::string high = row.upper < infinite ? "<= " + number_text(row.upper) : "";
     return low + (low.empty() || high.empty() ? "" : ", ") + high;
 }
 
@@ -112,6 +126,16 @@ const abi::ParameterInfo& common_key(const std::string& kind, const std::string&
     for (const abi::ParameterInfo& row : common_keys(kind))
         if (row.name == name) return row;
     throw std::logic_error("no common key " + name + " of kind " + kind);
+}
+
+std::span<const KeyRule> key_rules(const std::string& kind) {
+    const auto found = rules().find(kind);
+    return found == rules().end() ? std::span<const KeyRule>{} : found->second;
+}
+
+std::span<const std::string> reserved_names() {
+    static const std::vector<std::string> names{"x", "y", "z", "r", "pi", "c0", "rho0", "K", "dx", "h"};
+    return names;
 }
 
 }    // namespace sphonic

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sphonic/json.hpp>
+#include <sphonic/parameters.hpp>
 #include <sphonic/plugin/abi/entry.hpp>
 
 namespace sphonic {
@@ -30,6 +31,8 @@ public:
     std::string choice(const std::string& key, const std::string& fallback, const std::vector<std::string>& choices);
     double real(const abi::ParameterInfo& row);
     std::optional<double> optional_real(const abi::ParameterInfo& row);
+    /// Refuses common keys of a kind that do not stand together as `rule` wants it.
+    void obey(const KeyRule& rule, const std::string& kind, int dimension);
     /// d finite numbers.
     std::vector<double> point(const std::string& key, int dimension);
 
@@ -55,12 +58,19 @@ private:
     std::deque<std::string> paths_;    ///< that values point to
 
     abi::Value read_file(const abi::ParameterInfo& row, const std::string& name);
+    abi::Value read_vector(const abi::ParameterInfo& row, const Json& list) const;
+    /// For a key that is missing: an unknown one near to it is more likely a typo.
+    void refuse_typo(const std::string& key) const;
 };
 
 /// A parameter row of the runtime's own keys.
 abi::ParameterInfo real_row(const char* name, const char* unit, double lower, double upper, const char* doc,
                             double initial = 0);
 
+/// The integer that a number is, be it written 3 or 3.0.
+std::optional<std::int64_t> whole_number(const Json& value);
+/// "Give a list of 2 numbers".
+std::string list_remedy(int dimension);
 /// A finite number, or an error at `place`.
 double finite_number(const Json& value, const std::string& place);
 /// "string \"a\"", "number 3", ... for messages.

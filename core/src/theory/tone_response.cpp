@@ -48,8 +48,8 @@ std::optional<abi::ToneResponse> along(const Case& scene, double omega, const do
     const auto k = wave_number(scene, omega, direction, dt);
     if (!k) return std::nullopt;
     const double e = 1e-3 * *k;
-    const auto difference = forced_pressure(scene, *k + e, direction, omega, dt) - forced_pressure(scene, *k - e, direction, omega, dt);
-    const double residue = std::abs(0.5 * e * difference), c0 = scene.medium.c0;
+    const auto inverse = [&](double at) { return 1.0 / forced_pressure(scene, at, direction, omega, dt); };
+    const double residue = std::abs(2 * e / (inverse(*k + e) - inverse(*k - e))), c0 = scene.medium.c0;
     return abi::ToneResponse{*k, 2 * c0 * residue * std::pow(*k * c0 / omega, 0.5 * (scene.box.dimension - 1))};
 }
 
