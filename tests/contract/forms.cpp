@@ -20,12 +20,14 @@ struct Coefficients {
     std::vector<double> own, other;
 };
 
-Coefficients coefficients(const abi::Form& form, const std::vector<double>& rho_i, const std::vector<double>& rho_j) {
+Coefficients coefficients(const abi::Form& form, const std::vector<double>& rho_i, const std::vector<double>& rho_j,
+                          abi::Derivative derivative = abi::Derivative::gradient) {
     Coefficients c{std::vector<double>(rho_i.size()), std::vector<double>(rho_i.size())};
     std::vector<double> inverse_i, inverse_j;
     for (const double rho : rho_i) inverse_i.push_back(1 / rho);
     for (const double rho : rho_j) inverse_j.push_back(1 / rho);
-    form.coefficients({int(rho_i.size()), rho_i.data(), rho_j.data(), inverse_i.data(), inverse_j.data()}, c.own.data(), c.other.data());
+    form.coefficients(derivative, {int(rho_i.size()), rho_i.data(), rho_j.data(), inverse_i.data(), inverse_j.data(), rho_i.data(), rho_j.data()},
+                      c.own.data(), c.other.data());    // c = 1: impedances are densities
     return c;
 }
 

@@ -2,68 +2,31 @@
 
 #include <algorithm>
 
+#include "lattice_ends.hpp"
 #include "parallel.hpp"
 #include "stencil_rows.hpp"
 
 namespace sphonic {
 namespace {
 
-/// Particles near a free end of the set: there the own value's weights do not cancel.
-struct EndWeight {
-    std::ptrdiff_t at;
-    double weight[3];
-};
-
-/// Sum of the own value's weights where neighbours are missing (it is zero elsewhere, by antisymmetry).
-std::vector<EndWeight> end_weights(const LatticeGrid& grid, const std::vector<Offset>& neighbours, double factor) {
-    const Layout& l = grid.layout;
-    std::vector<EndWeight> ends;
-    const auto near_end = [&](int axis, long i) {
-        return axis < l.dimension && !grid.scene.box.periodic[axis] && (i < l.ghosts[axis] || i >= l.count[axis] - l.ghosts[axis]);
-    };
-    const auto add = [&](long i, long j, long k) {
-        EndWeight end{l.at(i, j, k), {0, 0, 0}};
-        const long site[3] = {i, j, k};
-        for (const Offset& n : neighbours) {
-            bool exists = true;
-            for (int a = 0; a < l.dimension; ++a) {
-                const auto [first, last] = grid.reachable(n, a);
-                exists = exists && site[a] >= first && site[a] < last;
-            }
-            for (int a = 0; exists && a < 3; ++a) end.weight[a] += factor * n.gradient[a];
-        }
-        ends.push_back(end);
-    };
-    for (long k = 0; k < l.count[2]; ++k)
-        for (long j = 0; j < l.count[1]; ++j) {
-            const bool whole_row = near_end(1, j) || near_end(2, k);
-            for (long i = 0; i < l.count[0]; ++i) {
-                if (!whole_row && !near_end(0, i)) {
-                    i = std::max(i, l.count[0] - l.ghosts[0] - 1);    // skip the interior
-                    continue;
-                }
-                add(i, j, k);
-            }
-        }
-    return ends;
-}
-
 /// Gradient or divergence: interior by folded stencil, free ends mended afterwards.
 class Derivative final : public LatticeOperator {
 public:
     Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
-        : grid_(grid), term_(term), target_(std::move(target)) {
-        const auto& neighbours = grid.neighbours[std::size_t(term.kernel)];
-        const double volume = lattice_volume(grid.scene.box) * term.coefficient;
-        const RestCoefficients c = rest_coefficients(*term.form, grid.scene.medium.rho0);
-        for (const Offset& n : half_neighbours(neighbours)) {
+        : Derivative(grid, components, term, std::move(target), rest_coefficients(*term.form, derivative(term), grid.scene.medium),
+                     weighted_neighbours(grid.scene, term, grid.neighbours[std::size_t(term.kernel)])) {}
+
+    Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target, RestCoefficients c,
+               const std::vector<Offset>& stencil)
+        : grid_(grid), term_(term), target_(std::move(target)),
+          ends_(grid, term, term.coefficient * c.own, term.coefficient * c.other, stencil) {
+        for (const Offset& n : half_neighbours(stencil)) {
             FoldedPair pair{grid.stride(n), {}};
-            for (int a = 0; a < 3; ++a) pair.weight[a] = volume * c.other * n.gradient[a];
+            for (int a = 0; a < 3; ++a) pair.weight[a] = term.coefficient * c.other * n.gradient[a];
             pairs_.push_back(pair);
             for (int a = 0; a < 3; ++a)
                 if (pair.weight[a] != 0) taps_[a].push_back({pair.at, pair.weight[a]});
         }
-        ends_ = end_weights(grid, neighbours, volume * c.own);
         const int d = grid.scene.box.dimension;
         const Variable& operand = grid.scene.equations.variables[std::size_t(term.operand)];
         for (int a = 0; a < operand.components(d); ++a) operand_.push_back(components.first[std::size_t(term.operand)] + a);
@@ -88,7 +51,7 @@ private:
     std::vector<int> target_, operand_;
     std::vector<FoldedPair> pairs_;
     std::vector<FoldedTap> taps_[3];
-    std::vector<EndWeight> ends_;
+    EndRows ends_;
     std::vector<PowerOf> factors_;
     Array scratch_[3];
 
@@ -115,11 +78,9 @@ private:
     }
 
     void mend_ends(const Evaluation& e, double* const* out, double scale) const {
-        for (const EndWeight& end : ends_)
-            for (int a = 0; a < grid_.scene.box.dimension; ++a) {
-                const bool gradient = term_.op == Term::Operator::gradient;
-                out[gradient ? a : 0][end.at] += scale * end.weight[a] * e.state[operand_[gradient ? 0 : std::size_t(a)]][end.at];
-            }
+        const double* f[3] = {};
+        for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
+        ends_.mend(f, out, scale);
     }
 
     /// The derivative into scratch, then multiplied by powers of variables.

@@ -2,6 +2,7 @@
 
 #include <sphonic/error.hpp>
 
+#include "frozen_weights.hpp"
 #include "pair_set.hpp"
 #include "parallel.hpp"
 #include "stencil.hpp"
@@ -25,6 +26,7 @@ public:
         set_.volume = scene.particle_volume();
         set_.mass = scene.medium.rho0 * set_.volume;
         check_box();
+        if (!frozen) check_forms();
         moved(x);
         neighbours_mean_ = set_.list.mean_within_radius(x);
         if (!frozen) return;
@@ -35,7 +37,8 @@ public:
     const char* name() const override { return set_.kept ? "frozen" : "moving"; }
     const Layout& layout() const override { return set_.layout; }
     std::unique_ptr<Program> compile(const std::vector<int>& variables) override {
-        return make_pair_program(set_, variables);
+        if (set_.kept) return make_frozen_program(set_, weights_, variables);
+        return make_pair_program(set_, whole_shares(set_.scene.equations, variables));
     }
     void fill_ghosts(double*) const override {}
     void moved(const double* const* x) override {
@@ -44,7 +47,7 @@ public:
     }
     double neighbours_mean() const override { return neighbours_mean_; }
     double bytes() const override {
-        double total = set_.list.bytes() + 8.0 * double(geometry_.r2.size());
+        double total = set_.list.bytes() + weights_.bytes() + 8.0 * double(geometry_.r2.size());
         for (const Array& r : geometry_.r) total += 8.0 * double(r.size());
         for (const Array& slope : geometry_.slope) total += 8.0 * double(slope.size());
         return total;
@@ -54,7 +57,16 @@ private:
     double skin_;
     PairSet set_;
     PairGeometry geometry_;
+    FrozenWeightStore weights_{set_};
     double neighbours_mean_ = 0;
+
+    void check_forms() const {
+        for (const Variable& v : set_.scene.equations.variables)
+            for (const Term& term : v.terms)
+                if (term.form && term.form->correction() != abi::Correction::none)
+                    throw Error(Fault::input, set_.scene.file + ": /equations/" + v.name, "corrected forms are not made for particles that move",
+                                "Use \"motion\": \"frozen\", or an uncorrected form");
+    }
 
     void check_box() const {
         const abi::Box& box = set_.scene.box;

@@ -11,8 +11,8 @@ namespace {
 /// Rate terms tile by tile, every term as one scalar per pair. One worker per thread.
 class PairWorker {
 public:
-    PairWorker(const PairSet& set, const std::vector<int>& variables)
-        : set_(set), variables_(variables), pairs_(set, components_read(set, variables)) {}
+    PairWorker(const PairSet& set, const std::vector<Share>& shares)
+        : set_(set), shares_(shares), pairs_(set, components_read(set, shares)) {}
 
     /// Tiles begin ... end - 1; `inverse_rho` of all particles where the set has a current density, else null.
     void evaluate(const Evaluation& e, const double* inverse_rho, long begin, long end) {
@@ -20,18 +20,18 @@ public:
         for (long i = begin; i < end; ++i) {
             take_tile(set_, i, tile_);
             pairs_.start(tile_);
-            for (const int v : variables_) evaluate_variable(v, tile_, pairs_, e);
+            for (const Share& share : shares_) evaluate_share(share, tile_, pairs_, e);
         }
     }
 
 private:
     const PairSet& set_;
-    std::vector<int> variables_;
+    std::vector<Share> shares_;
     PairValues pairs_;
     PairTile tile_;
-    Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_;
+    Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_, impedance_i_, impedance_j_;
 
-    static std::vector<int> components_read(const PairSet& set, const std::vector<int>& variables) {
+    static std::vector<int> components_read(const PairSet& set, const std::vector<Share>& shares) {
         const Equations& e = set.scene.equations;
         std::vector<int> read;
         const auto add = [&](int v) {
@@ -39,10 +39,10 @@ private:
                 read.push_back(set.components.first[std::size_t(v)] + c);
         };
         if (set.density() >= 0) add(set.density());
-        for (const int v : variables)
-            for (const Term& term : e.variables[std::size_t(v)].terms) {
-                add(term.operand);
-                for (const Factor& f : term.factors) add(f.variable);
+        for (const Share& share : shares)
+            for (const Term* term : share.terms) {
+                add(term->operand);
+                for (const Factor& f : term->factors) add(f.variable);
             }
         std::sort(read.begin(), read.end());
         read.erase(std::unique(read.begin(), read.end()), read.end());
@@ -53,16 +53,16 @@ private:
     int component(int v) const { return set_.components.first[std::size_t(v)]; }
 
     /// All terms of a variable as one scalar per pair, which a vector multiplies by r_ij.
-    void evaluate_variable(int v, const PairTile& tile, PairValues& pairs, const Evaluation& e) {
+    void evaluate_share(const Share& share, const PairTile& tile, PairValues& pairs, const Evaluation& e) {
         double* sum = pairs.room(sum_);
-        const auto& terms = variable(v).terms;
-        if (terms.empty()) std::fill_n(sum, tile.n, 0.0);
-        for (const Term& term : terms) {
-            const bool first = &term == &terms.front();
-            if (term.op == Term::Operator::viscosity)
-                add_viscosity(term, pairs, sum, first);
+        const int v = share.variable;
+        if (share.terms.empty()) std::fill_n(sum, tile.n, 0.0);
+        for (const Term* term : share.terms) {
+            const bool first = term == share.terms.front();
+            if (term->op == Term::Operator::viscosity)
+                add_viscosity(*term, pairs, sum, first);
             else
-                add_derivative(term, pairs, sum, first);
+                add_derivative(*term, pairs, sum, first);
         }
         if (!variable(v).is_vector) return row_sums(tile, sum, e.scale, e.assign, e.out[component(v)]);
         for (int a = 0; a < set_.scene.box.dimension; ++a)
@@ -96,12 +96,18 @@ private:
         double *own = pairs.room(own_), *other = pairs.room(other_);
         const int rho = set_.density();
         if (term.form->uniform() || rho < 0) {
-            const RestCoefficients c = rest_coefficients(*term.form, set_.scene.medium.rho0);
+            const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set_.scene.medium);
             own[0] = c.own, other[0] = c.other;
             return {{own, 0}, {other, 0}};
         }
-        term.form->coefficients({pairs.n(), pairs.own(component(rho)), pairs.other(component(rho)), pairs.own_inverse_rho(),
-                                 pairs.other_inverse_rho()}, own, other);
+        const double *rho_i = pairs.own(component(rho)), *rho_j = pairs.other(component(rho));
+        double *Z_i = pairs.room(impedance_i_), *Z_j = pairs.room(impedance_j_);
+        for (int k = 0; k < pairs.n(); ++k) {
+            Z_i[k] = rho_i[k] * set_.scene.medium.c0;
+            Z_j[k] = rho_j[k] * set_.scene.medium.c0;
+        }
+        term.form->coefficients(derivative(term), {pairs.n(), rho_i, rho_j, pairs.own_inverse_rho(), pairs.other_inverse_rho(), Z_i, Z_j},
+                                own, other);
         return {{own, 1}, {other, 1}};
     }
 
@@ -171,8 +177,8 @@ private:
 
 class PairProgram final : public Program {
 public:
-    PairProgram(const PairSet& set, const std::vector<int>& variables) : set_(set) {
-        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, variables);
+    PairProgram(const PairSet& set, const std::vector<Share>& shares) : set_(set) {
+        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, shares);
         if (set.density() >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
     }
 
@@ -200,8 +206,17 @@ private:
 
 }    // namespace
 
-std::unique_ptr<Program> make_pair_program(PairSet& set, const std::vector<int>& variables) {
-    return std::make_unique<PairProgram>(set, variables);
+std::vector<Share> whole_shares(const Equations& equations, const std::vector<int>& variables) {
+    std::vector<Share> shares;
+    for (const int v : variables) {
+        shares.push_back({v, {}});
+        for (const Term& term : equations.variables[std::size_t(v)].terms) shares.back().terms.push_back(&term);
+    }
+    return shares;
+}
+
+std::unique_ptr<Program> make_pair_program(const PairSet& set, const std::vector<Share>& shares) {
+    return std::make_unique<PairProgram>(set, shares);
 }
 
 }    // namespace sphonic

@@ -86,7 +86,15 @@ private:
 /// The geometry of all pairs of a set that will not move.
 PairGeometry keep_geometry(const PairSet& set);
 
+/// Some terms of one variable, which a program evaluates.
+struct Share {
+    int variable;
+    std::vector<const Term*> terms;
+};
+/// All terms of some variables.
+std::vector<Share> whole_shares(const Equations& equations, const std::vector<int>& variables);
+
 /// In pair_program.cpp.
-std::unique_ptr<Program> make_pair_program(PairSet& set, const std::vector<int>& variables);
+std::unique_ptr<Program> make_pair_program(const PairSet& set, const std::vector<Share>& shares);
 
 }    // namespace sphonic

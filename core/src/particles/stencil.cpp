@@ -2,6 +2,10 @@
 
 #include <cmath>
 
+#include <sphonic/error.hpp>
+
+#include "correction.hpp"
+
 namespace sphonic {
 
 std::vector<Offset> lattice_neighbours(const abi::Box& box, const KernelUse& use) {
@@ -23,6 +27,7 @@ std::vector<Offset> lattice_neighbours(const abi::Box& box, const KernelUse& use
     std::vector<Offset> kept;
     for (std::size_t n = 0; n < found.size(); ++n) {
         if (slope[n] == 0) continue;
+        found[n].slope = slope[n];
         for (int a = 0; a < 3; ++a) found[n].gradient[a] = -slope[n] * found[n].o[a] * box.dx;    // r_ij = -o dx
         kept.push_back(found[n]);
     }
@@ -38,11 +43,33 @@ std::vector<Offset> half_neighbours(const std::vector<Offset>& all) {
     return half;
 }
 
-RestCoefficients rest_coefficients(const abi::Form& form, double rho0) {
+RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& medium) {
     RestCoefficients c{};
-    const double inverse = 1 / rho0;
-    form.coefficients({1, &rho0, &rho0, &inverse, &inverse}, &c.own, &c.other);
+    const double rho = medium.rho0, inverse = 1 / rho, impedance = rho * medium.c0;
+    form.coefficients(derivative, {1, &rho, &rho, &inverse, &inverse, &impedance, &impedance}, &c.own, &c.other);
     return c;
+}
+
+abi::Derivative derivative(const Term& term) {
+    return term.op == Term::Operator::gradient ? abi::Derivative::gradient : abi::Derivative::divergence;
+}
+
+std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours) {
+    const double volume = lattice_volume(scene.box), dx = scene.box.dx;
+    Moment moment(scene.box.dimension);
+    for (const Offset& n : neighbours) {
+        const double r[3] = {-n.o[0] * dx, -n.o[1] * dx, -n.o[2] * dx};
+        moment.add(r, volume * n.slope);
+    }
+    const auto L = term.form->correction() == abi::Correction::none ? std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1} : moment.inverse();
+    if (!L)
+        throw Error(Fault::input, scene.file + ": /kernel", "the " + std::to_string(neighbours.size()) +
+                    " neighbours of a particle do not determine a gradient, which a corrected form needs", "Choose a larger h");
+    for (Offset& n : neighbours) {
+        const double plain[3] = {n.gradient[0], n.gradient[1], n.gradient[2]};
+        for (std::size_t a = 0; a < 3; ++a) n.gradient[a] = volume * ((*L)[3 * a] * plain[0] + (*L)[3 * a + 1] * plain[1] + (*L)[3 * a + 2] * plain[2]);
+    }
+    return neighbours;
 }
 
 double rest_slope(const abi::Viscosity& viscosity, const Case& scene, const KernelUse& kernel, double r2) {

@@ -9,6 +9,7 @@ namespace sphonic {
 struct Offset {
     int o[3] = {0, 0, 0};
     double r2 = 0;                    ///< |r_ij|^2 [m^2]
+    double slope = 0;                 ///< (dW/dr)/r [m^-(d+2)]
     double gradient[3] = {0, 0, 0};   ///< grad_i W_ij [m^-(d+1)]
 };
 
@@ -21,7 +22,12 @@ std::vector<Offset> half_neighbours(const std::vector<Offset>& all);
 struct RestCoefficients {
     double own, other;
 };
-RestCoefficients rest_coefficients(const abi::Form& form, double rho0);
+RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& medium);
+abi::Derivative derivative(const Term& term);
+
+/// V grad_i W_ij of a term's neighbours in the interior of a lattice, corrected as its form asks for: `neighbours` with other
+/// gradients. Throws if the neighbourhood is degenerate.
+std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours);
 
 /// Slope dPi/d(u.r) of a viscosity for a lattice pair of approaching particles at rest.
 double rest_slope(const abi::Viscosity& viscosity, const Case& scene, const KernelUse& kernel, double r2);

@@ -40,12 +40,12 @@ double phase(const Case& scene, const Offset& n, const double* k) {
     return sum;
 }
 
-void add_derivative(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
+void add_derivative(const Case& scene, const Term& term, const std::vector<Offset>& all, const double* k, int row,
                     const std::vector<int>& rows, const Matrix& A) {
-    const double other = rest_coefficients(*term.form, scene.medium.rho0).other;
+    const double other = rest_coefficients(*term.form, derivative(term), scene.medium).other;
     const auto [base, slope] = scene.behind(term.operand);
-    const double factor = 2 * lattice_volume(scene.box) * other * slope * rest_coefficient(scene, term);
-    for (const Offset& n : half) {
+    const double factor = 2 * other * slope * rest_coefficient(scene, term);
+    for (const Offset& n : half_neighbours(weighted_neighbours(scene, term, all))) {
         const double s = std::sin(phase(scene, n, k));
         for (int a = 0; a < scene.box.dimension; ++a) {
             const double entry = factor * n.gradient[a] * s;
@@ -57,11 +57,11 @@ void add_derivative(const Case& scene, const Term& term, const std::vector<Offse
     }
 }
 
-void add_viscosity(const Case& scene, const Term& term, const std::vector<Offset>& half, const double* k, int row,
+void add_viscosity(const Case& scene, const Term& term, const std::vector<Offset>& all, const double* k, int row,
                    double strength, const Matrix& A) {
     const KernelUse& kernel = scene.kernels[std::size_t(term.kernel)];
     const double mass = scene.medium.rho0 * lattice_volume(scene.box);
-    for (const Offset& n : half) {
+    for (const Offset& n : half_neighbours(all)) {
         const double slope = rest_slope(*term.viscosity, scene, kernel, n.r2);
         const double even = 2 * (1 - std::cos(phase(scene, n, k)));
         for (int a = 0; a < scene.box.dimension; ++a)
@@ -84,11 +84,11 @@ Symbol symbol(const Case& scene, const double* k, double viscosity) {
     const std::vector<int> rows = rows_of(e, scene.box.dimension, result.n);
     result.a.assign(std::size_t(result.n * result.n), 0.0);
     const Matrix A{result};
-    std::vector<std::vector<Offset>> half;
-    for (const KernelUse& use : scene.kernels) half.push_back(half_neighbours(lattice_neighbours(scene.box, use)));
+    std::vector<std::vector<Offset>> all;
+    for (const KernelUse& use : scene.kernels) all.push_back(lattice_neighbours(scene.box, use));
     for (std::size_t v = 0; v < e.variables.size(); ++v)
         for (const Term& term : e.variables[v].terms) {
-            const auto& neighbours = half[std::size_t(term.kernel)];
+            const auto& neighbours = all[std::size_t(term.kernel)];
             if (term.op == Term::Operator::viscosity)
                 add_viscosity(scene, term, neighbours, k, rows[v], viscosity, A);
             else

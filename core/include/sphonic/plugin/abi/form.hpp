@@ -2,11 +2,25 @@
 
 namespace sphonic::abi {
 
-/// Densities [kg/m^3] of the two particles of each of n pairs, and their inverses, which cost a division less.
+/// What a form weighs the values of: a scalar for its gradient, a vector for its divergence.
+enum class Derivative : int { gradient, divergence };
+
+/// The two particles of each of n pairs: densities [kg/m^3], their inverses, which cost a division less, and impedances
+/// rho c [Pa s/m].
 struct PairMedia {
     int n = 0;
     const double *rho_i = nullptr, *rho_j = nullptr;
     const double *inverse_rho_i = nullptr, *inverse_rho_j = nullptr;
+    const double *impedance_i = nullptr, *impedance_j = nullptr;
+};
+
+/// Which kernel gradients the two values of a pair are weighed with, where
+///   L_i = [ sum_j V_j grad_i W_ij (x) (x_j - x_i) ]^-1
+/// makes the difference form exact for linear fields on any set (Chen, Beraun, Carney 1999; full matrix).
+enum class Correction : int {
+    none,       ///< grad W for both
+    own,        ///< L_i grad W for both
+    pairwise    ///< L_i grad W for f_i and L_j grad W for f_j: the adjoint of `own`
 };
 
 /// How a gradient or a divergence weighs the two values of a pair:
@@ -17,9 +31,10 @@ public:
     static constexpr const char* kind = "form";
     virtual ~Form() = default;
 
+    virtual Correction correction() const { return Correction::none; }
     /// True when the two coefficients are the same for every pair and every medium; they are then asked for once.
     virtual bool uniform() const = 0;
-    virtual void coefficients(const PairMedia& media, double* own, double* other) const = 0;
+    virtual void coefficients(Derivative derivative, const PairMedia& media, double* own, double* other) const = 0;
 };
 
 }    // namespace sphonic::abi

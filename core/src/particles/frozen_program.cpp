@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include "frozen_weights.hpp"
+#include "parallel.hpp"
+#include "stencil.hpp"
+
+namespace sphonic {
+namespace {
+
+/// A gradient or a divergence as rows of constant weights.
+class FrozenDerivative {
+public:
+    FrozenDerivative(const PairSet& set, FrozenWeightStore& weights, const Term& term, std::vector<int> target, bool first)
+        : set_(set), weights_(weights.of(term.kernel, term.form->correction())), gradient_(term.op == Term::Operator::gradient),
+          first_(first), target_(std::move(target)), factors_(term.factors) {
+        const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set.scene.medium);
+        own_ = term.coefficient * c.own;
+        other_ = term.coefficient * c.other;
+        operand_ = set.components.first[std::size_t(term.operand)];
+    }
+
+    void apply(const Evaluation& e, long begin, long end) const {
+        switch (set_.scene.box.dimension) {
+            case 1: return apply_in<1>(e, begin, end);
+            case 2: return apply_in<2>(e, begin, end);
+            default: return apply_in<3>(e, begin, end);
+        }
+    }
+
+private:
+    const PairSet& set_;
+    const FrozenWeights& weights_;
+    bool gradient_, first_;
+    std::vector<int> target_;
+    std::vector<Factor> factors_;
+    double own_, other_;
+    int operand_;
+
+    template <int D>
+    void apply_in(const Evaluation& e, long begin, long end) const {
+        const bool assign = e.assign && first_;
+        for (long i = begin; i < end; ++i) {
+            const double scale = e.scale * factor(e, i);
+            double sum[D];
+            if (gradient_)
+                gradient<D>(e.state[operand_], i, sum);
+            else
+                sum[0] = divergence<D>(e.state + operand_, i);
+            for (int a = 0; a < (gradient_ ? D : 1); ++a) {
+                double& out = e.out[target_[std::size_t(a)]][i];
+                out = (assign ? 0 : out) + scale * sum[a];
+            }
+        }
+    }
+
+    double factor(const Evaluation& e, long i) const {
+        double product = 1;
+        for (const Factor& f : factors_) {
+            const double value = e.state[set_.components.first[std::size_t(f.variable)]][i];
+            for (int p = 0; p < std::abs(f.power); ++p) product = f.power > 0 ? product * value : product / value;
+        }
+        return product;
+    }
+
+    template <int D>
+    void gradient(const double* __restrict f, long i, double* sum) const {
+        const std::int64_t first = set_.list.start()[std::size_t(i)], last = set_.list.start()[std::size_t(i) + 1];
+        const std::int32_t* __restrict j = set_.list.neighbour().data();
+        const double *__restrict x = weights_.other[0].data(), *__restrict y = weights_.other[1].data(),
+                     *__restrict z = weights_.other[2].data();
+        double sx = 0, sy = 0, sz = 0;
+#pragma omp simd reduction(+ : sx, sy, sz)
+        for (std::int64_t k = first; k < last; ++k) {
+            const double value = f[j[k]];
+            sx += x[k] * value;
+            if constexpr (D > 1) sy += y[k] * value;
+            if constexpr (D > 2) sz += z[k] * value;
+        }
+        const double all[3] = {sx, sy, sz};
+        for (int a = 0; a < D; ++a) sum[a] = other_ * all[a] + own_ * weights_.own[a].data()[i] * f[i];
+    }
+
+    template <int D>
+    double divergence(const double* const* f, long i) const {
+        const std::int64_t first = set_.list.start()[std::size_t(i)], last = set_.list.start()[std::size_t(i) + 1];
+        const std::int32_t* __restrict j = set_.list.neighbour().data();
+        double all = 0, self = 0;
+        for (int a = 0; a < D; ++a) {
+            const double *__restrict w = weights_.other[a].data(), *__restrict u = f[a];
+            double sum = 0;
+#pragma omp simd reduction(+ : sum)
+            for (std::int64_t k = first; k < last; ++k) sum += w[k] * u[j[k]];
+            all += sum;
+            self += weights_.own[a].data()[i] * u[i];
+        }
+        return other_ * all + own_ * self;
+    }
+};
+
+/// Derivatives by constant rows; viscosities, which depend on the velocity, pair by pair.
+class FrozenProgram final : public Program {
+public:
+    FrozenProgram(const PairSet& set, FrozenWeightStore& weights, const std::vector<int>& variables) : set_(set) {
+        std::vector<Share> pairwise;
+        for (const int v : variables) {
+            const Variable& variable = set.scene.equations.variables[std::size_t(v)];
+            std::vector<int> target;
+            for (int c = 0; c < variable.components(set.scene.box.dimension); ++c) target.push_back(set.components.first[std::size_t(v)] + c);
+            Share viscous{v, {}};
+            bool first = true;
+            for (const Term& term : variable.terms) {
+                if (term.op == Term::Operator::viscosity) {
+                    viscous.terms.push_back(&term);
+                    continue;
+                }
+                derivatives_.emplace_back(set, weights, term, target, first);
+                first = false;
+            }
+            if (!viscous.terms.empty()) pairwise.push_back(viscous);
+            if (first) still_.insert(still_.end(), target.begin(), target.end());
+        }
+        if (!pairwise.empty()) pairwise_ = make_pair_program(set, pairwise);
+    }
+
+    void evaluate(const Evaluation& e) override {
+        if (e.assign)
+            for (const int c : still_) std::fill_n(e.out[c], set_.layout.size, 0.0);
+        in_blocks(set_.threads, set_.layout.particles(), [&](long begin, long end) {
+            for (const FrozenDerivative& derivative : derivatives_) derivative.apply(e, begin, end);
+        });
+        if (!pairwise_) return;
+        Evaluation added = e;
+        added.assign = false;
+        pairwise_->evaluate(added);
+    }
+
+private:
+    const PairSet& set_;
+    std::vector<FrozenDerivative> derivatives_;
+    std::vector<int> still_;    ///< components without a derivative
+    std::unique_ptr<Program> pairwise_;
+};
+
+}    // namespace
+
+std::unique_ptr<Program> make_frozen_program(const PairSet& set, FrozenWeightStore& weights, const std::vector<int>& variables) {
+    return std::make_unique<FrozenProgram>(set, weights, variables);
+}
+
+}    // namespace sphonic
