@@ -11,6 +11,7 @@
 #include <sphonic/expression.hpp>
 #include <sphonic/json_fwd.hpp>
 #include <sphonic/plugin/abi/arrangement.hpp>
+#include <sphonic/plugin/abi/boundary.hpp>
 #include <sphonic/plugin/abi/integrator.hpp>
 #include <sphonic/plugin/abi/method.hpp>
 #include <sphonic/plugin/abi/reference.hpp>
@@ -72,6 +73,8 @@ struct Case {
     Neighbours neighbours = Neighbours::automatic;
     std::vector<KernelUse> kernels;
     Equations equations;
+    std::vector<std::unique_ptr<abi::Boundary>> boundaries;
+    int boundary_of[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};    ///< [axis][upper], index into `boundaries`
     std::vector<SourceUse> sources;
     std::vector<InitialField> initial;
     std::unique_ptr<abi::Integrator> integrator;
@@ -93,6 +96,15 @@ struct Case {
     bool initial_values(const std::string& variable, int component, const abi::Points& points, double* out) const;
     /// True where particles sit exactly on lattice sites.
     bool regular() const { return arrangement->regular() && jitter == 0; }
+    /// The boundary of a face, or null.
+    const abi::Boundary* face(int axis, bool upper) const {
+        const int i = boundary_of[axis][upper];
+        return i < 0 ? nullptr : boundaries[std::size_t(i)].get();
+    }
+    abi::Closure closure(int axis, bool upper) const {
+        const abi::Boundary* boundary = face(axis, upper);
+        return boundary ? boundary->closure() : abi::Closure::free;
+    }
     /// Largest interaction radius of the kernels [m].
     double radius() const;
     /// The evolved variable that `variable` is computed from (itself, if it is evolved), and its derivative by that at rest.

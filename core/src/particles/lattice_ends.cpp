@@ -19,7 +19,9 @@ EndRows::EndRows(const LatticeGrid& grid, const Term& term, double own, double o
     const Layout& l = grid.layout;
     const long reach = term.form->correction() == abi::Correction::pairwise ? 2 : 1;    // of what an end changes, in supports
     const auto near_end = [&](int axis, long i) {
-        return axis < l.dimension && !grid.scene.box.periodic[axis] && (i < reach * l.ghosts[axis] || i >= l.count[axis] - reach * l.ghosts[axis]);
+        if (axis >= l.dimension) return false;
+        const long within = reach * l.ghosts[axis];
+        return (grid.open(axis, false) && i < within) || (grid.open(axis, true) && i >= l.count[axis] - within);
     };
     for (long k = 0; k < l.count[2]; ++k)
         for (long j = 0; j < l.count[1]; ++j) {
@@ -34,14 +36,23 @@ EndRows::EndRows(const LatticeGrid& grid, const Term& term, double own, double o
     corrections_.clear();
 }
 
+/// The particle whose neighbourhood a ghost shares.
+long EndRows::image(int axis, long i) const {
+    const long count = grid_.layout.count[axis];
+    if (grid_.scene.box.periodic[axis]) return ((i % count) + count) % count;
+    if (i < 0) return std::min(count - 1, -i);
+    return i < count ? i : std::max(0L, 2 * (count - 1) - i);
+}
+
 std::optional<EndRows::Site> EndRows::neighbour(const Site& site, const Offset& n) const {
     Site at = site;
     for (int a = 0; a < grid_.layout.dimension; ++a) {
         const long count = grid_.layout.count[a];
         long& i = at[std::size_t(a)];
         i += n.o[a];
-        if (grid_.scene.box.periodic[a]) i = ((i % count) + count) % count;
-        if (i < 0 || i >= count) return std::nullopt;
+        if (i < 0 && grid_.open(a, false)) return std::nullopt;
+        if (i >= count && grid_.open(a, true)) return std::nullopt;
+        i = image(a, i);
     }
     return at;
 }

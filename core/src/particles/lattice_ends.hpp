@@ -37,6 +37,7 @@ private:
     std::map<Site, Matrix> corrections_;
 
     void add_row(const Site& site, const std::vector<Offset>& stencil);
+    long image(int axis, long i) const;
     std::optional<Site> neighbour(const Site& site, const Offset& n) const;
     const Matrix& correction(const Site& site);
 };

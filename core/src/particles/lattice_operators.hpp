@@ -20,12 +20,13 @@ struct LatticeGrid {
     std::ptrdiff_t stride(const Offset& n) const {
         return n.o[0] + n.o[1] * layout.stride[1] + n.o[2] * layout.stride[2];
     }
-    /// Sites whose neighbour at `n` exists along an axis: [first, last).
+    /// True where the set simply ends.
+    bool open(int axis, bool upper) const { return scene.closure(axis, upper) == abi::Closure::free; }
+    /// Sites whose neighbour at `n` exists along an axis, as a particle or as a ghost: [first, last).
     std::pair<long, long> reachable(const Offset& n, int axis) const {
         if (axis >= layout.dimension) return {0, 1};
         const long count = layout.count[axis];
-        if (scene.box.periodic[axis]) return {0, count};
-        return {std::max(0L, long(-n.o[axis])), std::min(count, count - n.o[axis])};
+        return {open(axis, false) ? std::max(0L, long(-n.o[axis])) : 0, open(axis, true) ? std::min(count, count - n.o[axis]) : count};
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <sphonic/error.hpp>
 
+#include "lattice_ghosts.hpp"
 #include "lattice_operators.hpp"
 #include "parallel.hpp"
 #include "tier.hpp"
@@ -48,7 +49,8 @@ private:
 class LatticeTier final : public Tier {
 public:
     LatticeTier(const Case& scene, const Components& components)
-        : components_(components), grid_{scene, Layout::grid(scene.box, reach(scene)), threads_for(scene)} {
+        : components_(components), grid_{scene, Layout::grid(scene.box, reach(scene)), threads_for(scene)},
+          ghosts_(scene, components, grid_.layout, grid_.threads) {
         for (const KernelUse& use : scene.kernels) grid_.neighbours.push_back(lattice_neighbours(scene.box, use));
     }
 
@@ -67,34 +69,15 @@ public:
         return double(most);
     }
 
-    /// Periodic axes in turn, so that edges and corners are right; other ghosts stay zero.
-    void fill_ghosts(double* field) const override {
-        for (int a = 0; a < grid_.layout.dimension; ++a)
-            if (grid_.scene.box.periodic[a]) wrap(field, a);
-    }
+    void fill_ghosts(int component, double* field, const double* pressure, double t) override { ghosts_.fill(component, field, pressure, t); }
+    void restart() override { ghosts_.restart(); }
 
 private:
     const Components& components_;
     LatticeGrid grid_;
+    LatticeGhosts ghosts_;
 
     static long reach(const Case& scene) { return long(std::floor(scene.radius() / scene.box.dx)); }
-
-    void wrap(double* field, int axis) const {
-        const Layout& l = grid_.layout;
-        const long n = l.count[axis], g = l.ghosts[axis], step = l.stride[axis];
-        const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
-        const long lines = l.count[b] + 2 * l.ghosts[b];
-        const bool worthwhile = lines * (l.count[c] + 2 * l.ghosts[c]) * g > 20 * block_length;
-        in_parallel(worthwhile ? grid_.threads : 1, l.count[c] + 2 * l.ghosts[c], [=, &l](long k) {
-            for (long j = 0; j < lines; ++j) {
-                double* line = field + l.origin + (j - l.ghosts[b]) * l.stride[b] + (k - l.ghosts[c]) * l.stride[c];
-                for (long i = 1; i <= g; ++i) {
-                    line[-i * step] = line[(n - 1 - (i - 1) % n) * step];
-                    line[(n - 1 + i) * step] = line[(i - 1) % n * step];
-                }
-            }
-        });
-    }
 };
 
 }    // namespace

@@ -115,8 +115,7 @@ private:
     void add_folded(const Evaluation& e, long row, const Pair& pair, long begin, long end, double (*sum)[block]) const {
         const auto [i0, i1] = grid_.reachable(pair.offset, 0);
         const long o = pair.offset.o[0];
-        const bool periodic = grid_.scene.box.periodic[0];
-        const long first = periodic ? begin - o : std::max(begin - o, i0), last = std::min(end, i1);
+        const long first = !grid_.open(0, false) ? begin - o : std::max(begin - o, i0), last = std::min(end, i1);
         if (first >= last) return;
         double Pi[block + most_reach];
         pair_values(e, row, pair, first, last, Pi);

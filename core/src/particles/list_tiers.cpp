@@ -26,6 +26,7 @@ public:
         set_.volume = scene.particle_volume();
         set_.mass = scene.medium.rho0 * set_.volume;
         check_box();
+        check_faces();
         if (!frozen) check_forms();
         moved(x);
         neighbours_mean_ = set_.list.mean_within_radius(x);
@@ -40,7 +41,7 @@ public:
         if (set_.kept) return make_frozen_program(set_, weights_, variables);
         return make_pair_program(set_, whole_shares(set_.scene.equations, variables));
     }
-    void fill_ghosts(double*) const override {}
+    void fill_ghosts(int, double*, const double*, double) override {}
     void moved(const double* const* x) override {
         std::copy_n(x, set_.scene.box.dimension, set_.x);
         if (set_.list.update(x)) cut_tiles(set_);
@@ -66,6 +67,14 @@ private:
                 if (term.form && term.form->correction() != abi::Correction::none)
                     throw Error(Fault::input, set_.scene.file + ": /equations/" + v.name, "corrected forms are not made for particles that move",
                                 "Use \"motion\": \"frozen\", or an uncorrected form");
+    }
+
+    void check_faces() const {
+        for (int a = 0; a < set_.scene.box.dimension; ++a)
+            for (const bool upper : {false, true})
+                if (set_.scene.closure(a, upper) == abi::Closure::mirror || set_.scene.closure(a, upper) == abi::Closure::layers)
+                    throw Error(Fault::input, set_.scene.file + ": /boundaries", "walls are made for lattices that do not move",
+                                "Use a frozen lattice, or periodic or free faces");
     }
 
     void check_box() const {

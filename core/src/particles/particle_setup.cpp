@@ -51,6 +51,7 @@ void ParticleSystem::set_initial_fields() {
 }
 
 void ParticleSystem::initialise() {
+    tier_->restart();
     if (moving())
         for (int a = 0; a < scene_.box.dimension; ++a)
             scatter(layout(), x_[a].data(), store_.array(abi::state, components_.positions + a));

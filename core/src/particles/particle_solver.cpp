@@ -58,7 +58,8 @@ public:
         if (rates != abi::state) system_.rate_of(u, time(), rates);
         const auto& m = scene_.medium;
         double sum = 0;
-        for (long i = 0; shot.p && i < shot.points.n; ++i) sum += shot.p[i] * shot.p[i] / (m.rho0 * m.c0 * m.c0);
+        if (weight_.empty()) weight_ = wall_weights(shot.points);
+        for (long i = 0; shot.p && i < shot.points.n; ++i) sum += weight_[std::size_t(i)] * shot.p[i] * shot.p[i] / (m.rho0 * m.c0 * m.c0);
         for (int a = 0; a < scene_.box.dimension; ++a)
             if (shot.u[a]) sum += m.rho0 * kinetic(shot, a, stagger, rates);
         return 0.5 * scene_.particle_volume() * sum;
@@ -84,6 +85,21 @@ private:
     double dt_ = 0;
     long index_ = 0;
     std::vector<double> p_, u_[3], rate_;
+    std::vector<double> weight_;    ///< of each particle in the energy
+
+    /// One half for each wall that runs through a particle: half of its volume is behind it.
+    std::vector<double> wall_weights(const abi::Points& points) const {
+        std::vector<double> weight(std::size_t(points.n), 1.0);
+        for (int a = 0; a < points.dimension; ++a)
+            for (const bool upper : {false, true}) {
+                const abi::Closure closure = scene_.closure(a, upper);
+                if (closure == abi::Closure::free || closure == abi::Closure::periodic || scene_.face(a, upper)->half_way()) continue;
+                const double plane = upper ? scene_.box.upper[a] : scene_.box.lower[a];
+                for (int i = 0; i < points.n; ++i)
+                    if (std::abs(points.x[a][i] - plane) < 1e-6 * scene_.box.dx) weight[std::size_t(i)] *= 0.5;
+            }
+        return weight;
+    }
 
     /// Tells sources of one tone how the set carries it; disordered sets do so about as their lattice does.
     void match_tones() {
@@ -120,7 +136,7 @@ private:
         double sum = 0;
         for (long i = 0; i < shot.points.n; ++i) {
             const double kick = dt_ * rate_[std::size_t(i)];
-            sum += stagger == abi::Stagger::behind ? u[i] * (u[i] + kick) : u[i] * u[i] - 0.25 * kick * kick;
+            sum += weight_[std::size_t(i)] * (stagger == abi::Stagger::behind ? u[i] * (u[i] + kick) : u[i] * u[i] - 0.25 * kick * kick);
         }
         return sum;
     }

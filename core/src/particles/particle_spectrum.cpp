@@ -29,7 +29,7 @@ double ParticleSystem::largest_frequency(int iterations) {
     double squared = 0;
     for (int k = 0; k < iterations; ++k) {
         for (int twice = 0; twice < 2; ++twice) {
-            refresh_algebraic(all);
+            refresh_algebraic(all, 0);
             evaluate_terms(all, rates, 1, true);
             for_values([](double& z, double& r, double) { z = r; });
         }

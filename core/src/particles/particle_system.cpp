@@ -9,15 +9,25 @@
 
 namespace sphonic {
 
-Components::Components(const Equations& equations, int dimension, bool moving) {
-    for (const Variable& v : equations.variables) {
+Components::Components(const Case& scene) {
+    const int d = scene.box.dimension;
+    for (const Variable& v : scene.equations.variables) {
         first.push_back(count);
-        count += v.components(dimension);
+        const bool density = scene.equations.density == int(first.size()) - 1;
+        for (int a = 0; a < v.components(d); ++a, ++count) {
+            axis_.push_back(v.is_vector ? a : -1);
+            rest_.push_back(density ? scene.medium.rho0 : 0);
+        }
     }
-    if (moving) {
+    if (scene.motion == Motion::lagrangian) {
         positions = count;
-        count += dimension;
+        count += d;
     }
+}
+
+abi::Part Components::part(int component, int axis) const {
+    const int own = axis_[std::size_t(component)];
+    return own < 0 ? abi::Part::scalar : own == axis ? abi::Part::normal : abi::Part::tangential;
 }
 
 namespace {
@@ -32,7 +42,7 @@ std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& component
 }    // namespace
 
 ParticleSystem::ParticleSystem(const Case& scene)
-    : scene_(scene), components_(scene.equations, scene.box.dimension, scene.motion == Motion::lagrangian),
+    : scene_(scene), components_(scene),
       threads_(threads_for(scene)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), budget_(scene.box, scene.medium) {
     place_particles();
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
@@ -163,11 +173,12 @@ void ParticleSystem::settle(abi::Group group, double t) {
     const int p = evolved_behind(pressure_);
     for (SourceMembers& source : sources_)
         impose(source, t, source.action.sets_pressure && changed.has(p), source.action.sets_velocity && changed.has(velocity_));
-    refresh_algebraic(changed);
-    for (const int c : changed.components) tier_->fill_ghosts(store_.array(abi::state, c));
+    refresh_algebraic(changed, t);
+    const double* p_field = field(components_.first[std::size_t(pressure_)]);
+    for (const int c : changed.components) tier_->fill_ghosts(c, store_.array(abi::state, c), p_field, t);
 }
 
-void ParticleSystem::refresh_algebraic(const Part& changed) {
+void ParticleSystem::refresh_algebraic(const Part& changed, double t) {
     for (const int v : algebraic_) {
         const Variable& variable = scene_.equations.variables[std::size_t(v)];
         if (std::find(changed.variables.begin(), changed.variables.end(), evolved_behind(v)) == changed.variables.end()) continue;
@@ -176,7 +187,7 @@ void ParticleSystem::refresh_algebraic(const Part& changed) {
         in_row_blocks(threads_, layout(), [&](long, long at, long, long n) {
             variable.state->evaluate(scene_.medium, int(n), x + at, y + at);
         });
-        tier_->fill_ghosts(y);
+        tier_->fill_ghosts(components_.first[std::size_t(v)], y, field(components_.first[std::size_t(pressure_)]), t);
     }
 }
 

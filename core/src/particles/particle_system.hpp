@@ -94,7 +94,7 @@ private:
     void put(const std::vector<std::ptrdiff_t>& at, const std::vector<double>& value, int component);
     double bulk_modulus() const;
     void set_initial_fields();
-    void refresh_algebraic(const Part& changed);
+    void refresh_algebraic(const Part& changed, double t);
 };
 
 }    // namespace sphonic

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <sphonic/case.hpp>
+#include <sphonic/plugin/abi/boundary.hpp>
 
 #include "store.hpp"
 
@@ -10,10 +11,19 @@ namespace sphonic {
 
 /// Components of the equations' variables in a store: variable v has components first[v] ... ; positions, if any, are last.
 struct Components {
-    explicit Components(const Equations& equations, int dimension, bool moving);
+    explicit Components(const Case& scene);
     std::vector<int> first;
     int positions = -1;
     int count = 0;
+
+    /// What a component is to the faces of an axis.
+    abi::Part part(int component, int axis) const;
+    /// Its value in the medium at rest.
+    double rest(int component) const { return rest_[std::size_t(component)]; }
+
+private:
+    std::vector<int> axis_;    ///< of a vector's component; -1 for scalars
+    std::vector<double> rest_;
 };
 
 /// The state's arrays and where rates go: rate += into `out`, or assigned.
@@ -38,8 +48,10 @@ public:
     virtual const char* name() const = 0;
     virtual const Layout& layout() const = 0;
     virtual std::unique_ptr<Program> compile(const std::vector<int>& variables) = 0;
-    /// Fills what lies beyond the set (periodic images) of one field.
-    virtual void fill_ghosts(double* field) const = 0;
+    /// Fills what lies beyond the set for one component, with its values at time t [s]; `pressure` is the field of p.
+    virtual void fill_ghosts(int component, double* field, const double* pressure, double t) = 0;
+    /// A run begins: walls with memory forget.
+    virtual void restart() {}
     /// Positions changed; `x` by axis.
     virtual void moved(const double* const* x) = 0;
     virtual double neighbours_mean() const = 0;

@@ -37,11 +37,12 @@ void read_boundaries(Case& scene, Section& root, Registry& registry) {
     Json resolved = Json::array();
     for (std::size_t i = 0; i < list->size(); ++i) {
         Section section((*list)[i], root.file(), "/boundaries/" + std::to_string(i));
-        const auto boundary = read_plugin<abi::Boundary>(scene, section, registry);
+        scene.boundaries.push_back(read_plugin<abi::Boundary>(scene, section, registry));
         section.need("face", "Give x_min, x_max, ..., an axis such as \"x\", or \"all\"");
         for (const auto& [axis, upper] : faces(section.text("face", ""), scene.box.dimension, section)) {
             if (given[axis][upper]++) section.fail("face", "this face has a boundary already", "Give each face one boundary");
-            periodic[axis][upper] = boundary->closure() == abi::Closure::periodic;
+            periodic[axis][upper] = scene.boundaries.back()->closure() == abi::Closure::periodic;
+            scene.boundary_of[axis][upper] = int(i);
         }
         section.finish();
         resolved.push_back(section.resolved);

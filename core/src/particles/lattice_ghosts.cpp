@@ -1,0 +1,110 @@
+#include "lattice_ghosts.hpp"
+
+#include <algorithm>
+
+#include "parallel.hpp"
+
+namespace sphonic {
+
+LatticeGhosts::LatticeGhosts(const Case& scene, const Components& components, const Layout& layout, int threads)
+    : scene_(scene), components_(components), layout_(layout), threads_(threads), memory_(std::size_t(6 * components.count)) {}
+
+void LatticeGhosts::restart() {
+    for (auto& memory : memory_) memory.reset();
+}
+
+long LatticeGhosts::columns(int axis) const {
+    long product = 1;
+    for (int a = 0; a < layout_.dimension; ++a)
+        if (a != axis) product *= layout_.count[a] + 2 * layout_.ghosts[a];
+    return product;
+}
+
+void LatticeGhosts::fill(int component, double* field, const double* pressure, double t) {
+    for (int a = 0; a < layout_.dimension; ++a) {
+        if (scene_.box.periodic[a]) {
+            wrap(field, a);
+            continue;
+        }
+        for (const bool upper : {false, true}) {
+            const abi::Closure closure = scene_.closure(a, upper);
+            if (closure == abi::Closure::mirror) mirror(field, component, a, upper);
+            if (closure == abi::Closure::layers) layers(field, pressure, component, t, a, upper);
+        }
+    }
+}
+
+/// Enough to share among threads?
+bool LatticeGhosts::worthwhile(int axis) const { return columns(axis) * layout_.ghosts[axis] > 20 * block_length; }
+
+/// Calls line(first particle of a line along the axis, column) for all lines, those through the ghosts of other axes too.
+template <class Line>
+void LatticeGhosts::for_lines(double* field, int axis, Line line) const {
+    const Layout& l = layout_;
+    const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
+    const long in_row = l.count[b] + 2 * l.ghosts[b];
+    in_parallel(worthwhile(axis) ? threads_ : 1, l.count[c] + 2 * l.ghosts[c], [=, &l](long k) {
+        double* row = field + l.origin - l.ghosts[b] * l.stride[b] + (k - l.ghosts[c]) * l.stride[c];
+        for (long j = 0; j < in_row; ++j) line(row + j * l.stride[b], k * in_row + j);
+    });
+}
+
+void LatticeGhosts::wrap(double* field, int axis) const {
+    const long n = layout_.count[axis], g = layout_.ghosts[axis], step = layout_.stride[axis];
+    for_lines(field, axis, [=](double* line, long) {
+        for (long i = 1; i <= g; ++i) {
+            line[-i * step] = line[(n - 1 - (i - 1) % n) * step];
+            line[(n - 1 + i) * step] = line[(i - 1) % n * step];
+        }
+    });
+}
+
+void LatticeGhosts::mirror(double* field, int component, int axis, bool upper) const {
+    const abi::Boundary& wall = *scene_.face(axis, upper);
+    const double sign = wall.parity(components_.part(component, axis)), rest = components_.rest(component);
+    const long n = layout_.count[axis], g = layout_.ghosts[axis], own = wall.half_way() ? 1 : 0;
+    const long step = upper ? layout_.stride[axis] : -layout_.stride[axis], face = upper ? (n - 1) * layout_.stride[axis] : 0;
+    const bool vanishes = sign < 0 && own == 0;
+    for_lines(field, axis, [=](double* line, long) {
+        double* last = line + face;
+        if (vanishes) *last = rest;
+        for (long i = 1; i <= g; ++i) last[i * step] = rest + sign * (last[(own - i) * step] - rest);
+    });
+}
+
+LatticeGhosts::Rows::Rows(long layers, long columns)
+    : values(std::size_t(layers), std::vector<double>(std::size_t(columns), 0.0)) {
+    for (auto& row : values) pointers.push_back(row.data());
+}
+
+LatticeGhosts::Memory::Memory(long layers, long columns)
+    : inner(layers + 2, columns), pressure(layers + 2, columns), before(layers + 1, columns), ghost(layers + 1, columns) {}
+
+void LatticeGhosts::layers(double* field, const double* pressure, int component, double t, int axis, bool upper) {
+    const long n = layout_.count[axis], g = layout_.ghosts[axis];
+    auto& kept = memory_[std::size_t(6 * component + 2 * axis + upper)];
+    if (!kept) kept = std::make_unique<Memory>(g, columns(axis));
+    Memory& memory = *kept;
+    const abi::Part part = components_.part(component, axis);
+    const long step = upper ? layout_.stride[axis] : -layout_.stride[axis], face = upper ? (n - 1) * layout_.stride[axis] : 0;
+    const double sign = part == abi::Part::normal && !upper ? -1 : 1, rest = components_.rest(component);    // outwards is positive
+    for_lines(field, axis, [&](double* line, long column) {
+        for (long k = 0; k <= g + 1; ++k) {
+            const double* at = line + face - std::min(k, n - 1) * step;
+            memory.inner.pointers[std::size_t(k)][column] = sign * (*at - rest);
+            memory.pressure.pointers[std::size_t(k)][column] = pressure[at - field];
+        }
+    });
+    scene_.face(axis, upper)->fill({.part = part, .n = int(columns(axis)), .layers = int(g), .t = t, .dt = memory.begun ? t - memory.t : 0,
+                                    .dx = scene_.box.dx, .medium = scene_.medium, .inner = memory.inner.pointers.data(),
+                                    .pressure = memory.pressure.pointers.data(), .before = memory.before.pointers.data(),
+                                    .ghost = memory.ghost.pointers.data()});
+    for_lines(field, axis, [&](double* line, long column) {
+        for (long k = 0; k <= g; ++k) line[face + k * step] = rest + sign * memory.ghost.pointers[std::size_t(k)][column];
+    });
+    std::swap(memory.before, memory.ghost);
+    memory.t = t;
+    memory.begun = true;
+}
+
+}    // namespace sphonic

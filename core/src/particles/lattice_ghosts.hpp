@@ -1,0 +1,51 @@
+#pragma once
+#include <vector>
+
+#include <sphonic/case.hpp>
+
+#include "store.hpp"
+#include "tier.hpp"
+
+namespace sphonic {
+
+/// What lies beyond the faces of a lattice: periodic images, mirror images, layers that a boundary plugin fills. Axes in turn,
+/// each with the ghosts of those before it, so that edges and corners are right.
+class LatticeGhosts {
+public:
+    LatticeGhosts(const Case& scene, const Components& components, const Layout& layout, int threads);
+
+    /// Fills the ghosts of one component, whose values are those of time t [s]. `pressure` is that of p, as it stands.
+    void fill(int component, double* field, const double* pressure, double t);
+    /// Forgets what layers with memory were before.
+    void restart();
+
+private:
+    /// Values by layer and column.
+    struct Rows {
+        Rows(long layers, long columns);
+        std::vector<std::vector<double>> values;
+        std::vector<double*> pointers;
+    };
+    /// One face's layers of one component, and what they were.
+    struct Memory {
+        Memory(long layers, long columns);
+        double t = 0;
+        bool begun = false;
+        Rows inner, pressure, before, ghost;
+    };
+    const Case& scene_;
+    const Components& components_;
+    const Layout layout_;
+    int threads_;
+    std::vector<std::unique_ptr<Memory>> memory_;    ///< [component][axis][upper], where a face has layers
+
+    long columns(int axis) const;
+    bool worthwhile(int axis) const;
+    template <class Line>
+    void for_lines(double* field, int axis, Line line) const;
+    void wrap(double* field, int axis) const;
+    void mirror(double* field, int component, int axis, bool upper) const;
+    void layers(double* field, const double* pressure, int component, double t, int axis, bool upper);
+};
+
+}    // namespace sphonic
