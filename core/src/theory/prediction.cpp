@@ -112,7 +112,8 @@ Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
     out.cpu_s = predicted_seconds(scene, prepared, is_viscous(scene));
-    if (scene.method->meshfree()) {
+    if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
+    if (scene.method->meshfree() && scene.arrangement->regular()) {
         const auto waves = waves_of(scene);
         const double x_axis[3] = {1, 0, 0};
         out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->direction) - 1;
