@@ -49,6 +49,7 @@ void warn_unused(Case& scene, Section& root) {
     std::vector<std::string> unused;
     for (const char* key : {"kernel", "kernels", "equations", "viscosity"})
         if (root.has(key)) unused.push_back(key);
+    if (!scene.arrangement->regular()) unused.push_back("particles type: it runs on its own grid of this spacing");
     unused.push_back("integrator type");
     scene.warnings.push_back("method " + scene.method_name + " does not use " + join(unused));
 }

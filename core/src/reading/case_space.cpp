@@ -76,12 +76,12 @@ void count_sites(Case& scene, const Section& section) {
         if (box.upper[a] <= box.lower[a])
             section.fail("upper", "upper is not above lower along axis " + std::string(1, "xyz"[a]), "Give upper > lower");
         const double n = sites(box, a, on_sites, section);
-        if (n < 2) section.fail("dx", "there are fewer than two particles along axis " + std::string(1, "xyz"[a]), "Choose a smaller dx");
+        if (on_sites && n < 2) section.fail("dx", "there are fewer than two particles along axis " + std::string(1, "xyz"[a]), "Choose a smaller dx");
         total *= n;
         box.count[a] = n < 9e18 ? long(n) : 0;
     }
     const double need = total * least_bytes_per_particle, free = available_memory();
-    const std::string holds = "the box holds " + number_text(total) + " particles, ", remedy = "Choose a larger dx or a smaller box";
+    const std::string holds = "the box " + std::string(on_sites ? "holds " : "has room for ") + number_text(total) + " particles, ", remedy = "Choose a larger dx or a smaller box";
     if (need > free)
         section.fail("dx", holds + "which need at least " + number_text(std::round(need / 1e9)) + " GB; " +
                      number_text(std::round(free / 1e9)) + " GB are free", remedy);
@@ -102,6 +102,7 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     std::copy(upper.begin(), upper.end(), box.upper);
     count_sites(scene, section);
     prepared(section.place(), [&] { scene.arrangement->prepare(box); });
+    if (scene.arrangement->size(box) < 2) section.fail("", "there are fewer than two particles", "Choose a smaller dx or a larger box");
     scene.jitter = section.real(common_key("arrangement", "jitter"));
     scene.seed = section.read(common_key("arrangement", "seed")).integer;
     const std::string motion = section.read(common_key("arrangement", "motion")).text;
