@@ -19,12 +19,17 @@ struct RunOptions : Common {
     int threads = 0;    ///< 0: as many as the set is worth
 };
 
+struct DescribeOptions : Common {
+    std::string kind, name;    ///< either empty: all of them
+    bool markdown = false;
+};
+
 /// Each returns the exit code of a job that was done; errors are thrown.
 int run(const RunOptions& options);
 int check(const RunOptions& options);
 int study(const RunOptions& options);
 int list(const Common& options);
-int describe(const Common& options, const std::string& kind, const std::string& name);
+int describe(const DescribeOptions& options);
 int schema(const Common& options);
 /// `folder` empty: the kind's own folder in the source tree around the current one.
 int new_plugin(const Common& options, const std::string& kind, const std::string& name, const std::filesystem::path& folder);

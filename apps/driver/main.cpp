@@ -8,6 +8,7 @@
 #include <sphonic/version.hpp>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "threads.hpp"
 
 namespace {
@@ -31,6 +32,55 @@ void add_output(CLI::App& command, RunOptions& options) {
     command.add_option("--threads", options.threads, "results do not depend on it; default: as many as the set is worth")->check(CLI::Range(1, 1024));
 }
 
+/// What the command line says, and the exit code of what it asked for.
+struct Arguments {
+    RunOptions options;
+    DescribeOptions described;
+    std::string kind, name;
+    std::filesystem::path folder;
+    int result = 0;
+};
+
+void add_case_commands(CLI::App& app, Arguments& a) {
+    auto* run_command = app.add_subcommand("run", "run a case, compare it with its reference, write results and charts");
+    add_case(*run_command, a.options, "CASE");
+    add_output(*run_command, a.options);
+    run_command->callback([&a] { a.result = run(a.options); });
+
+    auto* check_command = app.add_subcommand("check", "validate a case and predict its stable step, error and cost; runs nothing");
+    add_case(*check_command, a.options, "CASE");
+    check_command->callback([&a] { a.result = check(a.options); });
+
+    auto* study_command = app.add_subcommand("study", "run a matrix of cases: tables and charts");
+    add_case(*study_command, a.options, "STUDY");
+    add_output(*study_command, a.options);
+    study_command->callback([&a] { a.result = study(a.options); });
+}
+
+void add_plugin_commands(CLI::App& app, Arguments& a) {
+    auto* list_command = app.add_subcommand("list", "all plugins found");
+    add_common(*list_command, a.options);
+    list_command->callback([&a] { a.result = list(a.options); });
+
+    auto* describe_command = app.add_subcommand("describe", "plugins and their parameters: all, those of a kind, or one");
+    describe_command->add_option("KIND", a.described.kind, "kernel, viscosity, source, ...");
+    describe_command->add_option("NAME", a.described.name, "cubic_spline, ...");
+    add_common(*describe_command, a.described);
+    describe_command->add_flag("--markdown", a.described.markdown, "print GitHub Markdown")->excludes("--json");
+    describe_command->callback([&a] { a.result = describe(a.described); });
+
+    auto* schema_command = app.add_subcommand("schema", "the JSON Schema of a case, with the parameters of all plugins found");
+    add_common(*schema_command, a.options);
+    schema_command->callback([&a] { a.result = schema(a.options); });
+
+    auto* new_command = app.add_subcommand("new", "the source of a new plugin, which builds and works as it is");
+    new_command->add_option("KIND", a.kind, "kernel, viscosity, source, ...")->required();
+    new_command->add_option("NAME", a.name, "lower_snake_case")->required();
+    new_command->add_option("--dir", a.folder, "folder to write to; default plugins/KINDS of the source tree around this folder");
+    add_common(*new_command, a.options);
+    new_command->callback([&a] { a.result = new_plugin(a.options, a.kind, a.name, a.folder); });
+}
+
 }    // namespace
 
 int main(int argc, char** argv) {
@@ -38,46 +88,9 @@ int main(int argc, char** argv) {
     CLI::App app{"sphonic: meshfree acoustics from plugins and JSON", "sphonic"};
     app.set_version_flag("--version", std::string(sphonic::version()) + " (" + sphonic::commit() + ")");
     app.require_subcommand(1);
-    RunOptions options;
-    std::string kind, name;
-    std::filesystem::path folder;
-    int result = 0;
-
-    auto* run_command = app.add_subcommand("run", "run a case, compare it with its reference, write results and charts");
-    add_case(*run_command, options, "CASE");
-    add_output(*run_command, options);
-    run_command->callback([&] { result = run(options); });
-
-    auto* check_command = app.add_subcommand("check", "validate a case and predict its stable step, error and cost; runs nothing");
-    add_case(*check_command, options, "CASE");
-    check_command->callback([&] { result = check(options); });
-
-    auto* study_command = app.add_subcommand("study", "run a matrix of cases: tables and charts");
-    add_case(*study_command, options, "STUDY");
-    add_output(*study_command, options);
-    study_command->callback([&] { result = study(options); });
-
-    auto* list_command = app.add_subcommand("list", "all plugins found");
-    add_common(*list_command, options);
-    list_command->callback([&] { result = list(options); });
-
-    auto* describe_command = app.add_subcommand("describe", "a plugin's parameters");
-    describe_command->add_option("KIND", kind, "kernel, viscosity, source, ...")->required();
-    describe_command->add_option("NAME", name, "cubic_spline, ...")->required();
-    add_common(*describe_command, options);
-    describe_command->callback([&] { result = describe(options, kind, name); });
-
-    auto* schema_command = app.add_subcommand("schema", "the JSON Schema of a case, with the parameters of all plugins found");
-    add_common(*schema_command, options);
-    schema_command->callback([&] { result = schema(options); });
-
-    auto* new_command = app.add_subcommand("new", "the source of a new plugin, which builds and works as it is");
-    new_command->add_option("KIND", kind, "kernel, viscosity, source, ...")->required();
-    new_command->add_option("NAME", name, "lower_snake_case")->required();
-    new_command->add_option("--dir", folder, "folder to write to; default plugins/KINDS of the source tree around this folder");
-    add_common(*new_command, options);
-    new_command->callback([&] { result = new_plugin(options, kind, name, folder); });
-
+    Arguments arguments;
+    add_case_commands(app, arguments);
+    add_plugin_commands(app, arguments);
     try {
         app.parse(argc, argv);
         std::cout.flush();
@@ -92,6 +105,9 @@ int main(int argc, char** argv) {
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);
+    } catch (const Interruption& e) {
+        sphonic::log::error(e.what());
+        return e.exit_code();
     } catch (const sphonic::Error& e) {
         sphonic::log::error(e.what());
         return int(e.fault);
@@ -102,5 +118,5 @@ int main(int argc, char** argv) {
         sphonic::log::error(std::string("internal: ") + e.what());
         return 1;
     }
-    return result;
+    return arguments.result;
 }

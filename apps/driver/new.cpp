@@ -9,10 +9,10 @@
 
 #include <sphonic/error.hpp>
 #include <sphonic/json.hpp>
-#include <sphonic/nearest.hpp>
 #include <sphonic/registry.hpp>
 
 #include "commands.hpp"
+#include "found_plugins.hpp"
 #include "scaffolds.hpp"
 
 namespace fs = std::filesystem;
@@ -31,16 +31,6 @@ fs::path source_tree() {
 /// "kernels", "viscosities".
 std::string folder_of(const std::string& kind) {
     return kind.ends_with('y') ? kind.substr(0, kind.size() - 1) + "ies" : kind + "s";
-}
-
-void require_kind(const std::string& kind) {
-    const auto kinds = plugin_kinds();
-    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return;
-    std::string known;
-    for (const auto& k : kinds) known += (known.empty() ? "" : ", ") + k;
-    const std::string near = nearest(kind, kinds);
-    throw Error(Fault::input, "new", "there is no plugin kind \"" + kind + "\"",
-                near.empty() ? "Known: " + known : "Did you mean \"" + near + "\"?");
 }
 
 void require_free_name(const std::string& kind, const std::string& name, Registry& registry) {
@@ -87,7 +77,7 @@ std::vector<std::string> next_steps(const std::string& kind, const std::string& 
 }    // namespace
 
 int new_plugin(const Common& options, const std::string& kind, const std::string& name, const fs::path& folder) {
-    require_kind(kind);
+    require_kind(kind, "new");
     Registry registry(Registry::search_path(options.plugin_path));
     require_free_name(kind, name, registry);
     const auto made = scaffold(kind, name);

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -12,6 +11,7 @@
 #include <sphonic/simulation.hpp>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "progress.hpp"
 
 namespace sphonic::driver {
@@ -33,19 +33,35 @@ void print_summary(const Summary& s, const std::filesystem::path& folder) {
 }    // namespace
 
 int run(const RunOptions& options) {
+    const Interruptible interruptible;
     Registry registry(Registry::search_path(options.plugin_path));
     Case scene = load_case(options.file, options.set, registry);
     scene.threads = options.threads;
     for (const std::string& warning : scene.warnings) log::warn(scene.file + ": " + warning);
     ResultFolder folder(options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out, options.force);
     Simulation simulation(scene);
+    const Summary& summary = simulation.summary();
+    const auto stop_if_asked = [&](long step) {
+        char state[80];
+        std::snprintf(state, sizeof state, "at t = %.4g s; nothing was written", double(step) * summary.dt);
+        interruptible.stop_if_asked(scene.file, state);
+    };
+    stop_if_asked(0);
     {
         ProgressBar bar(options.file.stem().string());
-        simulation.run([&](const Progress& p) { bar.show(p); });
+        simulation.run([&](const Progress& p) {
+            bar.show(p);
+            stop_if_asked(p.step);
+        });
     }
-    write_results(scene, simulation, folder);
+    try {
+        write_results(scene, simulation, folder);
+    } catch (const Error&) {
+        stop_if_asked(summary.steps);    // a terminal interrupts the program that draws, too
+        throw;
+    }
+    stop_if_asked(summary.steps);
     folder.commit();
-    const Summary& summary = simulation.summary();
     if (options.json)
         std::cout << json_text(to_json(summary));
     else

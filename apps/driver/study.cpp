@@ -11,6 +11,7 @@
 #include <sphonic/study.hpp>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 
 namespace sphonic::driver {
 namespace {
@@ -33,15 +34,16 @@ public:
             log::info(counted(p) + ": " + outcome(*p.result));
     }
 
+    /// "3/12 NAME".
+    static std::string counted(const StudyProgress& p) {
+        return std::to_string(p.index + 1) + "/" + std::to_string(p.total) + " " + p.point.full_name();
+    }
+
 private:
     const bool terminal_;
     const Clock::time_point begin_ = Clock::now();
     Clock::time_point last_{};
     bool drawn_ = false;
-
-    static std::string counted(const StudyProgress& p) {
-        return std::to_string(p.index + 1) + "/" + std::to_string(p.total) + " " + p.point.full_name();
-    }
 
     static std::string outcome(const StudyResult& result) {
         if (result.status != Status::done) return result.why;
@@ -85,6 +87,7 @@ int exit_code(const std::vector<StudyResult>& results) {
 }    // namespace
 
 int study(const RunOptions& options) {
+    const Interruptible interruptible;
     Registry registry(Registry::search_path(options.plugin_path));
     Study study = load_study(options.file, options.set);
     if (options.threads) study.threads = options.threads;
@@ -92,7 +95,10 @@ int study(const RunOptions& options) {
     std::vector<StudyResult> results;
     {
         StudyBar bar;
-        results = run_study(study, registry, folder, options.force, [&](const StudyProgress& p) { bar.show(p); });
+        results = run_study(study, registry, folder, options.force, [&](const StudyProgress& p) {
+            bar.show(p);
+            interruptible.stop_if_asked(options.file.string(), "in " + StudyBar::counted(p) + "; the points before it are kept in " + folder.string());
+        });
     }
     print(study, results, options.json);
     log::info("results in " + folder.string());

@@ -54,6 +54,13 @@ else
     echo "skipped the contract tests: $build/bin/test_contract is not built"
 fi
 
+echo "--- a kernel of two dimensions only"
+sed -e 's/dimensions(1, 2, 3)/dimensions(2)/' -e 's/kernel_sample/flat_sample/' sources/kernel_sample.cpp >sources/flat_sample.cpp
+said=$(compile kernel sources/flat_sample.cpp plugins/kernel.flat_sample.so) && ok "it compiles" || failed "it compiles" "$said"
+expect "and is refused in one" 2 \
+    '*propagation.json: /kernel/type: this kernel is not defined in dimension 1. Choose another kernel' \
+    check "$repository/cases/li2015/propagation.json" --plugin-path plugins --set /kernel/type=flat_sample
+
 echo "--- in a source tree"
 mkdir -p tree/plugins/kernels tree/core/include/sphonic/plugin tree/cases
 touch tree/plugins/CMakeLists.txt

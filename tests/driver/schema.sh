@@ -93,6 +93,8 @@ BASE = {
 ABSENT = object()
 TERM = {"divergence": "u", "form": "difference", "times": "-rho0*c0^2"}
 BRAKED = [{"gradient": "p", "form": "sum", "times": "-1/rho0"}, {"viscosity": "monaghan", "alpha": 0.1}]
+POINT = {"type": "point", "omega": 100, "position": [1]}
+WAVE = {"type": "travelling_wave", "wave_number": [1]}
 DENSITY = {"drho": [TERM | {"times": "-rho0"}], "p": {"state": "acoustic", "of": "drho"}, "u": BRAKED[:1]}
 
 
@@ -115,7 +117,9 @@ def edited(*edits):
 changes = [
     [],
     # names
-    [(("kernel", "typ"), "gaussian")], [(("methd",), {"type": "fdtd"})], [(("kernel", "type"), "cubic_splin")],
+    [(("$schema",), "schema.json")], [(("$schema",), 3)], [(("schema",), "schema.json")], [(("equations", "c0"), [TERM])],
+    [(("equations", "a b"), [TERM])], [(("equations", ""), [TERM])], [(("equations", "x"), [TERM])], [(("equations", "q"), [TERM])],
+    [(("kernels",), {"": {"type": "gaussian", "h": 0.08}})], [(("kernel", "typ"), "gaussian")], [(("methd",), {"type": "fdtd"})], [(("kernel", "type"), "cubic_splin")],
     [(("particles", "motion"), "frozn")], [(("particles", "motion"), "lagrangian")], [(("reference", "regoin"), "x > 0")],
     [(("kernel", "type"), ABSENT)], [(("kernel", "cutoff"), 3)], [(("kernel",), {"type": "gaussian", "h": 0.04, "cutoff": 2})],
     # values
@@ -128,30 +132,35 @@ changes = [
     [(("kernel",), {"type": "gaussian", "h": 0.04, "renormalise": 1})],
     [(("kernel",), {"type": "gaussian", "h": 0.04, "renormalise": True})],
     [(("title",), 3)], [(("title",), "a wave")], [(("medium", "rho0"), ABSENT)], [(("medium", "c0"), "fast")], [(("medium", "c0"), 0)],
-    [(("medium", "T"), 293)], [(("dimension",), 4)], [(("dimension",), "1")], [(("dimension",), ABSENT)], [(("until",), 0)],
+    [(("medium", "T"), 293)], [(("dimension",), 4)], [(("dimension",), 1.0)], [(("dimension",), 1.5)],
+    [(("title",), "")], [(("particles", "seed"), 3.0)], [(("particles", "seed"), -1)], [(("particles", "seed"), 1.5)], [(("dimension",), "1")], [(("dimension",), ABSENT)], [(("until",), 0)],
     [(("until",), ABSENT)], [(("viscosity", "alpha"), 10)], [(("viscosity", "alpha"), 10.5)], [(("viscosity", "alpha"), None)],
     # space
     [(("particles", "dx"), ABSENT)], [(("particles", "lower"), ABSENT)], [(("particles", "upper"), [4, 4])], [(("particles", "lower"), [])],
     [(("particles", "velocity"), "u")], [(("particles",), ABSENT)], [(("boundaries", 0, "face"), "y_max")],
     [(("boundaries", 0, "face"), "all")], [(("boundaries", 0, "face"), ABSENT)], [(("boundaries",), {})], [(("boundaries",), ABSENT)],
     # time
-    [(("integrator", "dt"), 1e-6)], [(("integrator", "safety"), 0.5)], [(("integrator", "courant"), ABSENT)],
+    [(("integrator", "dt"), 1e-6)], [(("integrator", "safety"), 0.5)], [(("integrator",), {"type": "rk4", "safety": 0.5, "dt": 1e-6})], [(("integrator", "courant"), ABSENT)],
     [(("integrator",), {"type": "rk4", "safety": 0.5})], [(("integrator",), {"type": "rk4", "safety": 1.5})],
     [(("integrator",), {"type": "rk4", "dt": 1e-6})], [(("integrator", "courant_length"), "h")],
     [(("integrator", "courant_length"), "L")], [(("integrator", "unstable"), "allow")], [(("integrator",), ABSENT)],
     # sound
+    [(("sources",), [POINT | {"region": "x > -1"}]), (("reference",), ABSENT)], [(("sources",), [POINT | {"signal": "sin"}])],
+    [(("sources",), [POINT]), (("reference",), ABSENT)], [(("sources",), [POINT | {"position": [1, 1]}]), (("reference",), ABSENT)],
+    [(("sources",), [{"type": "exact", "region": "x < 0"}]), (("reference",), WAVE)], [(("sources",), [{"type": "exact"}]), (("reference",), WAVE)],
+    [(("reference",), WAVE | {"wave_number": [1, 1]})], [(("sources", 0, "direction"), [1, 0])], [(("sources", 0, "phase_origin"), [0])],
     [(("sources",), {})], [(("sources", 0, "region"), ABSENT)], [(("sources", 0, "omega"), ABSENT)], [(("sources", 0, "omega"), 0)],
     [(("sources", 0, "direction"), 1)], [(("sources", 0, "direction"), [1, 0, 0, 0])], [(("initial", "p"), 0)],
     [(("initial", "u"), "0")], [(("initial", "u"), ["0", "0"])], [(("initial",), ABSENT)], [(("reference", "scale"), 0)],
     [(("reference", "scale"), 20)], [(("reference",), ABSENT)], [(("reference", "region"), 3)],
     [(("output", "every"), -1)], [(("output", "probes"), [2.0])], [(("output", "probes"), [[2.0, 0]])], [(("output",), ABSENT)],
-    [(("output", "probs"), [])], [(("provenance",), {"any": "thing"})],
+    [(("output", "probs"), [])], [(("provenance",), {"any": "thing"})], [(("provenance",), 3)],
     # equations
     [(("equations",), "linear_acoustics")], [(("equations",), 3)], [(("equations",), {})], [(("equations",), ABSENT)],
     [(("equations",), ABSENT), (("viscosity",), ABSENT)], [(("equations", "p"), [])], [(("equations", "u"), ABSENT)],
     [(("equations",), DENSITY)], [(("equations",), DENSITY | {"p": {"state": "acustic", "of": "drho"}})],
     [(("equations",), DENSITY | {"p": {"state": "acoustic"}})], [(("equations",), DENSITY | {"p": {"of": "drho"}})],
-    [(("equations",), DENSITY | {"order": [["u"], ["drho", "x"]]})], [(("equations", "order"), "u")],
+    [(("equations",), DENSITY | {"order": [["u"], ["drho", "x"]]})], [(("equations",), DENSITY | {"order": [[], ["u"], ["drho"]]})], [(("equations", "order"), "u")],
     [(("equations", "p", 0, "form"), "diference")], [(("equations", "p", 0, "form"), ABSENT)],
     [(("equations", "p", 0, "form"), {"type": "sum", "beta": 1})], [(("equations", "p", 0, "times"), 3)],
     [(("equations", "p", 0, "gradient"), "p")], [(("equations", "p", 0, "divergence"), ABSENT)],

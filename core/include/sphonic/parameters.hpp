@@ -20,6 +20,7 @@ std::string range_short(const abi::ParameterInfo& row);
 const char* type_name(abi::ParameterType type);
 
 /// The keys that the runtime itself reads beside the parameters of every plugin of a kind.
+/// The same of the parts of a case that are no plugins: "case", "medium" and "output".
 /// Those without a default here are worked out when the case is read.
 std::span<const abi::ParameterInfo> common_keys(const std::string& kind);
 /// One of them, by name.

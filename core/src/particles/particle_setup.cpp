@@ -20,7 +20,7 @@ void ParticleSystem::place_particles() {
     if (scene_.jitter > 0) displace(x);
 }
 
-/// Uniform random displacements; a particle on a face of a bounded axis stays on it.
+/// Uniform random displacements. Bounded axes keep their particles inside, and those on a face on it.
 void ParticleSystem::displace(double* const* x) const {
     std::mt19937_64 bits(std::uint64_t(scene_.seed));
     const abi::Box& box = scene_.box;
@@ -29,7 +29,9 @@ void ParticleSystem::displace(double* const* x) const {
             const double random = double(bits() >> 11) * 0x1p-53;    // the library's distributions differ between compilers
             const double edge = 1e-6 * box.dx;
             const bool on_face = !box.periodic[a] && (x[a][i] < box.lower[a] + edge || x[a][i] > box.upper[a] - edge);
-            if (!on_face) x[a][i] += scene_.jitter * box.dx * (2 * random - 1);
+            if (on_face) continue;
+            x[a][i] += scene_.jitter * box.dx * (2 * random - 1);
+            if (!box.periodic[a]) x[a][i] = std::clamp(x[a][i], box.lower[a], box.upper[a]);
         }
 }
 

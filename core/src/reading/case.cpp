@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <sphonic/error.hpp>
+#include <sphonic/parameters.hpp>
 #include <sphonic/version.hpp>
 
 #include "case_reader.hpp"
@@ -14,23 +14,19 @@ namespace fs = std::filesystem;
 namespace sphonic {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double positive = std::numeric_limits<double>::min();
-
 void read_medium(Case& scene, Section& root) {
     Section medium = root.child("medium", "Give { \"c0\": sound speed [m/s], \"rho0\": density [kg/m^3] }");
-    scene.medium.c0 = medium.real(real_row("c0", "m/s", positive, infinite, "sound speed"));
-    scene.medium.rho0 = medium.real(real_row("rho0", "kg/m^3", positive, infinite, "density at rest"));
+    scene.medium.c0 = medium.real(common_key("medium", "c0"));
+    scene.medium.rho0 = medium.real(common_key("medium", "rho0"));
     medium.finish();
     root.resolved["medium"] = medium.resolved;
 }
 
 void read_dimension(Case& scene, Section& root) {
     const Json& d = root.need("dimension", "Give 1, 2 or 3");
-    if (!d.is_number_integer() || d.get<double>() < 1 || d.get<double>() > 3)
-        root.fail("dimension", shown(d) + " is not a dimension", "Give 1, 2 or 3");
-    scene.box.dimension = d.get<int>();
-    root.resolved["dimension"] = d;
+    const auto whole = whole_number(d);
+    if (!whole || *whole < 1 || *whole > 3) root.fail("dimension", shown(d) + " is not a dimension", "Give 1, 2 or 3");
+    root.resolved["dimension"] = scene.box.dimension = int(*whole);
 }
 
 void read_method(Case& scene, Section& root, Registry& registry) {
@@ -53,13 +49,26 @@ void warn_unused(Case& scene, Section& root) {
     std::vector<std::string> unused;
     for (const char* key : {"kernel", "kernels", "equations", "viscosity"})
         if (root.has(key)) unused.push_back(key);
+    if (!scene.arrangement->regular()) unused.push_back("particles type: it runs on its own grid of this spacing");
     unused.push_back("integrator type");
     scene.warnings.push_back("method " + scene.method_name + " does not use " + join(unused));
 }
 
+/// Editors find the schema of a file by this key.
+void pass_over_schema(Section& root) {
+    const Json* schema = root.find("$schema");
+    if (schema && !schema->is_string()) root.fail("$schema", shown(*schema) + " is not a string", "Give a string");
+}
+
+void read_title(Case& scene, Section& root) {
+    scene.title = root.text("title", fs::path(scene.file).stem().string());
+    if (scene.title.empty()) root.fail("title", "the text is empty", "Give a title, or leave it out: it is then the file's name");
+}
+
 void check_provenance(Case& scene, Section& root) {
     const Json* carried = root.find("provenance");
-    if (!carried || !carried->is_object() || !carried->contains("abi")) return;
+    if (carried && !carried->is_object()) root.fail("provenance", shown(*carried) + " is not an object", "Leave it out");
+    if (!carried || !carried->contains("abi")) return;
     if ((*carried)["abi"] != abi_tag())
         scene.warnings.push_back("this case was resolved with ABI " + shown((*carried)["abi"]) + ", this is " + abi_tag() +
                                  ": results may differ in the last digits");
@@ -69,6 +78,20 @@ void check_provenance(Case& scene, Section& root) {
 
 void note_provenance(Case& scene, const Plugin& plugin) {
     (*scene.provenance)["plugins"][plugin.kind + "." + plugin.name] = plugin.file.string();
+}
+
+void obey_key_rules(Section& section, const std::string& kind, const Case& scene, bool imposes) {
+    for (const KeyRule& rule : key_rules(kind))
+        if (rule.how != KeyRule::How::required_to_impose || imposes) section.obey(rule, kind, scene.box.dimension);
+}
+
+void require_fitting_vectors(const Section& section, const Plugin& plugin, int dimension) {
+    for (const abi::ParameterInfo& row : plugin.parameters) {
+        if (row.initial.type != abi::ParameterType::vector || !section.value().contains(row.name)) continue;
+        const Json& list = section.value()[row.name];
+        if (int(list.size()) != dimension)
+            section.fail(row.name, shown(list) + " does not fit dimension " + std::to_string(dimension), list_remedy(dimension));
+    }
 }
 
 double Case::radius() const {
@@ -87,6 +110,8 @@ void SourceUse::inside(const abi::Points& points, unsigned char* out) const {
 }
 
 void SourceUse::reaches_nothing() const {
+    if (region && !source->action().sets())
+        throw Error(Fault::input, place + "/region", "no particle that the source reaches lies in \"" + region->text() + "\"", "Choose a region around the source");
     if (region) throw Error(Fault::input, place + "/region", "no particle lies in \"" + region->text() + "\"", "Choose a region inside the box");
     throw Error(Fault::input, place, "it reaches no particle", "Put it inside the box");
 }
@@ -131,7 +156,8 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     auto kept = std::make_shared<const Json>(std::move(document));
     scene.source_text = kept;
     Section root(*kept, scene.file, "");
-    scene.title = root.text("title", file.stem().string());
+    pass_over_schema(root);
+    read_title(scene, root);
     read_dimension(scene, root);
     read_medium(scene, root);
     read_method(scene, root, registry);

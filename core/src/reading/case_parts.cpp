@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include <sphonic/error.hpp>
 #include <sphonic/parameters.hpp>
@@ -10,22 +8,32 @@
 namespace sphonic {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double positive = std::numeric_limits<double>::min();
-
 KernelUse read_kernel_use(Case& scene, Section& section, Registry& registry, const std::string& name) {
     KernelUse use{.name = name, .kernel = read_plugin<abi::Kernel>(scene, section, registry)};
     if (!use.kernel->defined(scene.box.dimension))
         section.fail("type", "this kernel is not defined in dimension " + std::to_string(scene.box.dimension), "Choose another kernel");
+    obey_key_rules(section, "kernel", scene);
     const auto h = section.optional_real(common_key("kernel", "h"));
     const auto ratio = section.optional_real(common_key("kernel", "h_over_dx"));
-    if (h.has_value() == ratio.has_value())
-        section.fail("", h ? "h and h_over_dx are both given" : "the smoothing length is missing", "Give one of h [m] and h_over_dx");
     use.h = h ? *h : *ratio * scene.box.dx;
     section.finish();
+    const std::string support = "the support of " + number_text(use.radius()) + " m ";
+    double longest = 0;
+    for (int a = 0; a < scene.box.dimension; ++a) longest = std::max(longest, scene.box.upper[a] - scene.box.lower[a]);
     if (use.radius() < scene.box.dx)
-        section.fail(h ? "h" : "h_over_dx", "the support of " + Json(use.radius()).dump() + " m reaches no neighbour", "Choose h so that support * h > dx");
+        section.fail(h ? "h" : "h_over_dx", support + "reaches no neighbour", "Choose h so that support * h > dx");
+    if (use.radius() > longest)
+        section.fail(h ? "h" : "h_over_dx", support + "is wider than the box", "Choose a smaller h or a larger box");
     return use;
+}
+
+void require_inside(const abi::Box& box, const std::vector<double>& point, const Section& section, const std::string& key) {
+    for (int a = 0; a < box.dimension; ++a) {
+        const double x = point[std::size_t(a)], margin = 1e-9 * box.dx;
+        if (x >= box.lower[a] - margin && x <= box.upper[a] + margin) continue;
+        section.fail(key, Json(point).dump() + " lies outside the box", "Choose a point with " + number_text(box.lower[a]) +
+                     " <= " + "xyz"[a] + " <= " + number_text(box.upper[a]));
+    }
 }
 
 double courant_length(Case& scene, Section& section) {
@@ -46,6 +54,7 @@ void read_kernels(Case& scene, Section& root, Registry& registry) {
     if (root.has("kernels")) {
         Section section = root.child("kernels", "");
         for (const auto& [name, value] : section.value().items()) {
+            if (name.empty()) section.fail("", "\"\" is no name of a kernel", "Give it one that terms can refer to");
             Section inner = section.child(name, "");
             scene.kernels.push_back(read_kernel_use(scene, inner, registry, name));
             section.resolved[name] = inner.resolved;
@@ -88,7 +97,7 @@ void read_sources(Case& scene, Section& root, Registry& registry) {
         prepared(use.place, [&] {
             use.source->prepare({scene.box.dimension, scene.medium, scene.box, scene.reference ? scene.reference->reference.get() : nullptr});
         });
-        if (use.source->action().sets()) section.need("region", "Say which particles it acts on, such as \"x < 0\"");
+        obey_key_rules(section, "source", scene, use.source->action().sets());
         if (section.has("region"))
             use.region.emplace(section.text("region", ""), constants(scene), scene.box.dimension, section.place("region"));
         section.finish();
@@ -126,31 +135,31 @@ void read_time(Case& scene, Section& root, Registry& registry) {
     Section section = root.child("integrator", "Give { \"type\": " + join(registry.names("integrator")) + " }");
     scene.integrator = read_plugin<abi::Integrator>(scene, section, registry);
     scene.integrator_name = section.resolved["type"];
+    obey_key_rules(section, "integrator", scene);
     StepChoice& step = scene.step;
     step.dt = section.optional_real(common_key("integrator", "dt"));
     step.courant = section.optional_real(common_key("integrator", "courant"));
     step.courant_length = courant_length(scene, section);
-    if (step.dt && step.courant) section.fail("courant", "dt and courant are both given", "Give one of dt, courant and safety");
-    const bool chosen = step.dt || step.courant;
-    if (section.has("safety") && chosen) section.fail("safety", "the step is already given", "Give one of dt, courant and safety");
-    if (!chosen) step.safety = section.real(common_key("integrator", "safety"));
+    if (!step.dt && !step.courant) step.safety = section.real(common_key("integrator", "safety"));
     step.allow_unstable = std::string(section.read(common_key("integrator", "unstable")).text) == "allow";
     section.finish();
     root.resolved["integrator"] = section.resolved;
-    scene.until = root.real(real_row("until", "s", positive, infinite, "end of the run"));
+    scene.until = root.real(common_key("case", "until"));
 }
 
 void read_output(Case& scene, Section& root) {
     static const Json none = Json::object();
     const Json* given = root.find("output");
     Section section(given ? *given : none, root.file(), "/output");
-    scene.output.every = section.real(real_row("every", "s", 0, infinite, "interval of probe samples; 0 is every step"));
+    const double every = section.real(common_key("output", "every"));
+    scene.output.every = std::min(every, scene.until);
     if (const Json* probes = section.find("probes")) {
         if (!probes->is_array()) section.fail("probes", shown(*probes) + " is not a list", "Write [[x, y], ...]");
         for (std::size_t i = 0; i < probes->size(); ++i) {
             const Json wrapped{{std::to_string(i), (*probes)[i]}};
             Section list(wrapped, root.file(), "/output/probes");
             scene.output.probes.push_back(list.point(std::to_string(i), scene.box.dimension));
+            require_inside(scene.box, scene.output.probes.back(), list, std::to_string(i));
         }
         section.resolved["probes"] = *probes;
     }

@@ -13,6 +13,12 @@ namespace sphonic {
 /// Records path, version and ABI of a plugin in use under /provenance.
 void note_provenance(Case& scene, const Plugin& plugin);
 
+/// `imposes`: of a source that sets values.
+void obey_key_rules(Section& section, const std::string& kind, const Case& scene, bool imposes = false);
+
+/// Refuses lists in `section` for rows of vectors whose length is not the dimension.
+void require_fitting_vectors(const Section& section, const Plugin& plugin, int dimension);
+
 /// The plugin named by `key` inside `section`, made with the parameters that stand in the same object.
 template <class Interface>
 std::unique_ptr<Interface> read_plugin(Case& scene, Section& section, Registry& registry, const std::string& key = "type") {
@@ -21,7 +27,9 @@ std::unique_ptr<Interface> read_plugin(Case& scene, Section& section, Registry& 
     if (!name.is_string()) section.fail(key, shown(name) + " is not a string", "Name a " + kind);
     const Plugin& plugin = registry.find(kind, section.text(key, ""), section.place(key));
     note_provenance(scene, plugin);
-    return registry.create<Interface>(plugin, section.read(plugin.parameters));
+    const auto values = section.read(plugin.parameters);
+    require_fitting_vectors(section, plugin, scene.box.dimension);
+    return registry.create<Interface>(plugin, values);
 }
 
 /// A plugin with all its defaults.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <sphonic/error.hpp>
 #include <sphonic/parameters.hpp>
@@ -13,6 +14,7 @@ namespace {
 
 /// Bytes per particle that a run is sure to need: fields, histories and lists of a small case.
 constexpr double least_bytes_per_particle = 100;
+constexpr double most_particles = std::numeric_limits<int>::max();
 
 /// "x_min" ... "z_max", an axis, or "all", as a list of (axis, upper side).
 std::vector<std::pair<int, bool>> faces(const std::string& name, int dimension, const Section& section) {
@@ -38,7 +40,7 @@ void read_boundaries(Case& scene, Section& root, Registry& registry) {
     for (std::size_t i = 0; i < list->size(); ++i) {
         Section section((*list)[i], root.file(), "/boundaries/" + std::to_string(i));
         scene.boundaries.push_back(read_plugin<abi::Boundary>(scene, section, registry));
-        section.need("face", "Give x_min, x_max, ..., an axis such as \"x\", or \"all\"");
+        obey_key_rules(section, "boundary", scene);
         for (const auto& [axis, upper] : faces(section.text("face", ""), scene.box.dimension, section)) {
             if (given[axis][upper]++) section.fail("face", "this face has a boundary already", "Give each face one boundary");
             periodic[axis][upper] = scene.boundaries.back()->closure() == abi::Closure::periodic;
@@ -59,9 +61,10 @@ void read_boundaries(Case& scene, Section& root, Registry& registry) {
 /// Sites per axis: periodic axes exclude the upper end and must hold a whole number of spacings.
 double sites(const abi::Box& box, int axis, bool on_sites, const Section& section) {
     const double length = (box.upper[axis] - box.lower[axis]) / box.dx;
+    if (!std::isfinite(length)) section.fail("dx", "the box is more spacings long than a number can count", "Choose a larger dx or a smaller box");
     if (!box.periodic[axis]) return std::floor(length + 1e-9) + 1;
     if (on_sites && std::abs(length - std::round(length)) > 1e-6)
-        section.fail("dx", "the periodic axis " + std::string(1, "xyz"[axis]) + " is " + Json(length).dump() + " spacings long",
+        section.fail("dx", "the periodic axis " + std::string(1, "xyz"[axis]) + " is " + number_text(length) + " spacings long",
                      "Choose dx or upper so that (upper - lower)/dx is an integer");
     return std::round(length);
 }
@@ -74,14 +77,16 @@ void count_sites(Case& scene, const Section& section) {
         if (box.upper[a] <= box.lower[a])
             section.fail("upper", "upper is not above lower along axis " + std::string(1, "xyz"[a]), "Give upper > lower");
         const double n = sites(box, a, on_sites, section);
-        if (n < 2) section.fail("dx", "there are fewer than two particles along axis " + std::string(1, "xyz"[a]), "Choose a smaller dx");
+        if (on_sites && n < 2) section.fail("dx", "there are fewer than two particles along axis " + std::string(1, "xyz"[a]), "Choose a smaller dx");
         total *= n;
         box.count[a] = n < 9e18 ? long(n) : 0;
     }
     const double need = total * least_bytes_per_particle, free = available_memory();
+    const std::string holds = "the box " + std::string(on_sites ? "holds " : "has room for ") + number_text(total) + " particles, ", remedy = "Choose a larger dx or a smaller box";
     if (need > free)
-        section.fail("dx", "the box holds " + Json(total).dump() + " particles, which need at least " + Json(std::round(need / 1e9)).dump() +
-                     " GB; " + Json(std::round(free / 1e9)).dump() + " GB are free", "Choose a larger dx or a smaller box");
+        section.fail("dx", holds + "which need at least " + number_text(std::round(need / 1e9)) + " GB; " +
+                     number_text(std::round(free / 1e9)) + " GB are free", remedy);
+    if (total > most_particles) section.fail("dx", holds + "more than the " + number_text(most_particles) + " that can be numbered", remedy);
 }
 
 }    // namespace
@@ -91,12 +96,14 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     Section section = root.child("particles", "Give { \"type\": \"lattice\", \"dx\": ..., \"lower\": [...], \"upper\": [...] }");
     abi::Box& box = scene.box;
     scene.arrangement = read_plugin<abi::Arrangement>(scene, section, registry);
+    obey_key_rules(section, "arrangement", scene);
     box.dx = section.real(common_key("arrangement", "dx"));
     const auto lower = section.point("lower", box.dimension), upper = section.point("upper", box.dimension);
     std::copy(lower.begin(), lower.end(), box.lower);
     std::copy(upper.begin(), upper.end(), box.upper);
     count_sites(scene, section);
     prepared(section.place(), [&] { scene.arrangement->prepare(box); });
+    if (scene.arrangement->size(box) < 2) section.fail("", "there are fewer than two particles", "Choose a smaller dx or a larger box");
     scene.jitter = section.real(common_key("arrangement", "jitter"));
     scene.seed = section.read(common_key("arrangement", "seed")).integer;
     const std::string motion = section.read(common_key("arrangement", "motion")).text;

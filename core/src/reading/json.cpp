@@ -29,12 +29,16 @@ public:
     bool boolean(bool value) override { return put(value); }
     bool number_integer(number_integer_t value) override { return put(value); }
     bool number_unsigned(number_unsigned_t value) override { return put(value); }
-    bool string(string_t& value) override { return put(std::move(value)); }
     bool binary(binary_t&) override { return false; }
     bool start_object(std::size_t) override { return open(Json::object()); }
     bool start_array(std::size_t) override { return open(Json::array()); }
     bool end_object() override { return open_.pop_back(), true; }
     bool end_array() override { return open_.pop_back(), true; }
+
+    bool string(string_t& value) override {
+        if (value.find('\0') != value.npos) refuse("the text has a NUL character", "Remove it");
+        return put(std::move(value));
+    }
 
     bool number_float(number_float_t value, const string_t& text) override {
         if (value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
@@ -44,8 +48,7 @@ public:
 
     bool key(string_t& name) override {
         open_.back().key = name;
-        if (open_.back().node->contains(name))
-            refuse("the key " + in_quotes(name) + " is given twice", "Remove one of them");
+        if (open_.back().node->contains(name)) refuse("the key " + in_quotes(name) + " is given twice", "Remove one of them");
         return true;
     }
 
@@ -69,8 +72,7 @@ private:
     }
 
     Json& slot() {
-        if (open_.empty())
-            return root;
+        if (open_.empty()) return root;
         const auto& [node, key] = open_.back();
         return node->is_array() ? node->emplace_back() : (*node)[key];
     }
@@ -78,8 +80,7 @@ private:
     bool put(Json value) { return slot() = std::move(value), true; }
 
     bool open(Json container) {
-        if (open_.size() == max_depth)
-            refuse("more than " + std::to_string(max_depth) + " values are nested", "Nest less deeply");
+        if (open_.size() == max_depth) refuse("more than " + std::to_string(max_depth) + " values are nested", "Nest less deeply");
         return open_.push_back({&(slot() = std::move(container)), {}}), true;
     }
 
@@ -119,8 +120,7 @@ std::string remedy_for(const std::string& word, const std::string& reason, const
         syntax.reason = (word[0] > ' ' && word[0] <= '~' ? in_quotes(word) : "this character") + " is not JSON";
     if (const std::size_t expected = syntax.reason.find("; expected"); expected != std::string::npos)
         syntax.reason[expected] = ',';
-    if (syntax.remedy.empty())
-        syntax.remedy = remedy_for(word, syntax.reason, head);
+    if (syntax.remedy.empty()) syntax.remedy = remedy_for(word, syntax.reason, head);
     const auto line = 1 + std::count(head.begin(), head.end(), '\n');
     const auto column = from - head.rfind('\n');    // npos is -1: the first line needs no case of its own
     const std::string place = file + ":" + std::to_string(line) + ":" + std::to_string(column);

@@ -63,7 +63,7 @@ private:
     void refuse_typo(const std::string& key) const;
 };
 
-/// A parameter row of the runtime's own keys.
+/// A parameter row of a key that stands in no table of `common_keys`.
 abi::ParameterInfo real_row(const char* name, const char* unit, double lower, double upper, const char* doc,
                             double initial = 0);
 

@@ -50,7 +50,7 @@ double finite_number(const Json& value, const std::string& place) {
 abi::Value Section::read(const abi::ParameterInfo& row) {
     const Json* member = find(row.name);
     if (!member) {
-        if (is_required(row)) fail(row.name, "is missing", range_sentence(row));
+        if (is_required(row)) need(row.name, range_sentence(row));
         if (row.initial.type != abi::ParameterType::vector || row.initial.size > 0) resolved[row.name] = to_json(row.initial);
         return row.initial;
     }

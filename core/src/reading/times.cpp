@@ -9,6 +9,8 @@
 namespace sphonic {
 namespace {
 
+constexpr const char* finite_remedy = "Choose constants whose product is finite";
+
 struct Operand {
     std::string text;
     bool divides;
@@ -64,8 +66,8 @@ double constant_value(const std::string& text, const Case& scene, const Section&
         if (text == name) section.fail("times", "\"" + text + "\": \"" + name + "\" is a coordinate", remedy);
     const Expression expression(text, constants(scene), scene.box.dimension, section.place("times"));
     const double here[3] = {0.3, 0.7, 1.1}, there[3] = {1.7, -0.4, 0.2};
-    const double value = expression(here);
-    if (value != expression(there)) section.fail("times", "\"" + text + "\" depends on a coordinate", remedy);
+    const double value = expression(here), elsewhere = expression(there);
+    if (value != elsewhere && std::isfinite(value) && std::isfinite(elsewhere)) section.fail("times", "\"" + text + "\" depends on a coordinate", remedy);
     return value;
 }
 
@@ -84,14 +86,18 @@ void apply(Operand operand, Term& term, const Case& scene, const Section& sectio
         return;
     }
     const double value = constant_value(operand.text, scene, section);
-    if (!std::isfinite(value) || (operand.divides && value == 0)) section.fail("times", "\"" + operand.text + "\" is not finite here");
+    if (operand.divides && value == 0) section.fail("times", "\"" + operand.text + "\" is zero and divides", finite_remedy);
     term.coefficient *= operand.divides ? 1 / value : value;
 }
 
 }    // namespace
 
 void read_times(Term& term, const Case& scene, Section& section) {
-    for (const Operand& operand : split_product(section.text("times", "1"), section)) apply(operand, term, scene, section);
+    for (const Operand& operand : split_product(section.text("times", "1"), section)) {
+        apply(operand, term, scene, section);
+        if (!std::isfinite(term.coefficient))
+            section.fail("times", "the product is not finite at \"" + operand.text + "\"", finite_remedy);
+    }
 }
 
 }    // namespace sphonic

@@ -46,6 +46,7 @@ fs::path ResultFolder::unused(const std::string& name) {
 }
 
 ResultFolder::ResultFolder(fs::path target, bool force) : target_(std::move(target)), force_(force) {
+    target_ = target_.lexically_normal();
     if (target_.filename().empty()) target_ = target_.parent_path();
     if (is_there(target_)) {
         if (!force) throw Error(Fault::io, target_.string(), "exists already", "Give --force to replace it, or another --out");
@@ -72,11 +73,16 @@ void ResultFolder::write(const std::string& name, const std::string& text) const
 void ResultFolder::commit() {
     std::error_code failed;
     const fs::path old = temporary_.string() + ".old";
-    if (force_ && is_there(target_)) fs::rename(target_, old, failed);
-    if (!failed) fs::rename(temporary_, target_, failed);
+    std::error_code ignored;
+    const bool replaces = force_ && is_there(target_);
+    if (replaces) fs::rename(target_, old, failed);
+    if (!failed) {
+        fs::rename(temporary_, target_, failed);
+        if (failed && replaces) fs::rename(old, target_, ignored);
+    }
     if (failed) throw Error(Fault::io, target_.string(), "cannot be put in place: " + failed.message(), "Check space and permissions");
     committed_ = true;
-    fs::remove_all(old, failed);
+    fs::remove_all(old, ignored);
 }
 
 }    // namespace sphonic

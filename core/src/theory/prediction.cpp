@@ -42,12 +42,13 @@ double predicted_seconds(const Case& scene, const Summary& prepared, bool viscou
     return 1e-9 * (cost.fixed + per_pair * prepared.neighbours_mean) * passes * double(prepared.particles) * double(prepared.steps);
 }
 
-std::string percent(double x) {
+std::string shown(double x) {
     std::ostringstream text;
     text.precision(2);
-    text << 100 * x << " %";
+    text << x;
     return text.str();
 }
+std::string percent(double x) { return shown(100 * x) + " %"; }
 
 bool is_viscous(const Case& scene) {
     for (const Variable& v : scene.equations.variables)
@@ -87,7 +88,7 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
         power += a2;
         const double per_wavelength = 2 * std::acos(-1.0) * scene.medium.c0 / (wave->omega * scene.box.dx);
         if (per_wavelength < 6)
-            out.warnings.push_back("the highest source frequency has " + Json(per_wavelength).dump() +
+            out.warnings.push_back("the highest source frequency has " + shown(per_wavelength) +
                                    " points per wavelength: waves this short travel wrongly or not at all");
     }
     out.l2 = std::sqrt(error / power);
@@ -112,7 +113,8 @@ Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
     out.cpu_s = predicted_seconds(scene, prepared, is_viscous(scene));
-    if (scene.method->meshfree()) {
+    if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
+    if (scene.method->meshfree() && scene.arrangement->regular()) {
         const auto waves = waves_of(scene);
         const double x_axis[3] = {1, 0, 0};
         out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->direction) - 1;
