@@ -17,7 +17,7 @@ constexpr int particles = 2500;
 /// One line of particles with all that the term needs, outside any solver.
 struct Line {
     Case scene = lattice(1, particles, 3.25, {monaghan});
-    Components components{scene.equations, 1, false};
+    Components components{scene};
     LatticeGrid grid{scene, Layout::grid(scene.box, 6)};
     std::vector<Array> fields;
     std::vector<const double*> state;
