@@ -105,7 +105,10 @@ struct Case {
         const abi::Boundary* boundary = face(axis, upper);
         return boundary ? boundary->closure() : abi::Closure::free;
     }
-    /// Largest interaction radius of the kernels [m].
+    /// The step nearest below `dt` of which a whole number ends the run [s].
+    double whole_step(double dt) const { return until / steps_of(dt); }
+    double steps_of(double dt) const;
+    /// Largest interaction radius of kernels and forms [m].
     double radius() const;
     /// The evolved variable that `variable` is computed from (itself, if it is evolved), and its derivative by that at rest.
     struct Behind {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,15 +26,23 @@ struct Factor {
     int power;
 };
 
+/// Weights that a form brings itself, for one of each pair of a lattice's neighbours: f_j takes w o / dx at o, the opposite at -o.
+struct LatticeWeights {
+    std::vector<std::array<int, 3>> offset;    ///< in spacings
+    std::vector<double> weight;
+};
+
 /// One rate term: coefficient * (product of factors) * operator.
 struct Term {
     enum class Operator { divergence, gradient, viscosity } op;
     int operand = -1;                            ///< variable the operator acts on (the velocity, for viscosity)
     std::unique_ptr<abi::Form> form{};             ///< for divergence and gradient
+    std::string form_text{};                       ///< as the case gives it: equal texts are equal forms
     std::unique_ptr<abi::Viscosity> viscosity{};
     int kernel = 0;                              ///< index into the kernels of the case
     double coefficient = 1;
     std::vector<Factor> factors{};
+    std::shared_ptr<const LatticeWeights> fitted{};    ///< where the form has weights of its own
 };
 
 /// A variable of the equations: evolved by a sum of terms, or algebraic in another variable.

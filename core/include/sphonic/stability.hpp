@@ -31,6 +31,9 @@ struct StepLimit {
     bool weak = false;     ///< the integrator grows at any step: dt is where the worst mode grows by e^12 within `until`
 };
 
+/// The largest omega dt that the case's integrator bears for an undamped oscillation of p and u; 0 where it grows at any step.
+double oscillator_limit(const Case& scene);
+
 /// The largest stable step of the case on its lattice, with viscosity always on.
 StepLimit step_limit(const Case& scene);
 

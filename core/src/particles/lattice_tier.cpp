@@ -66,6 +66,9 @@ public:
     double neighbours_mean() const override {
         std::size_t most = 0;
         for (const auto& n : grid_.neighbours) most = std::max(most, n.size());
+        for (const Variable& v : grid_.scene.equations.variables)
+            for (const Term& term : v.terms)
+                if (term.fitted) most = std::max(most, 2 * term.fitted->weight.size());
         return double(most);
     }
 
@@ -77,7 +80,7 @@ private:
     LatticeGrid grid_;
     LatticeGhosts ghosts_;
 
-    static long reach(const Case& scene) { return long(std::floor(scene.radius() / scene.box.dx)); }
+    static long reach(const Case& scene) { return long(std::floor(scene.radius() / scene.box.dx + 1e-9)); }
 };
 
 }    // namespace

@@ -54,7 +54,29 @@ abi::Derivative derivative(const Term& term) {
     return term.op == Term::Operator::gradient ? abi::Derivative::gradient : abi::Derivative::divergence;
 }
 
+namespace {
+
+/// Both of each pair o, -o, in the order of lattice_neighbours.
+std::vector<Offset> fitted_neighbours(const Case& scene, const LatticeWeights& fitted) {
+    std::vector<Offset> all;
+    const auto add = [&](std::size_t n, int sign) {
+        Offset offset;
+        for (std::size_t a = 0; a < 3; ++a) {
+            offset.o[a] = sign * fitted.offset[n][a];
+            offset.r2 += std::pow(offset.o[a] * scene.box.dx, 2);
+            offset.gradient[a] = fitted.weight[n] * offset.o[a] / scene.box.dx;
+        }
+        all.push_back(offset);
+    };
+    for (std::size_t n = fitted.offset.size(); n-- > 0;) add(n, -1);
+    for (std::size_t n = 0; n < fitted.offset.size(); ++n) add(n, 1);
+    return all;
+}
+
+}    // namespace
+
 std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours) {
+    if (term.fitted) return fitted_neighbours(scene, *term.fitted);
     const double volume = lattice_volume(scene.box), dx = scene.box.dx;
     Moment moment(scene.box.dimension);
     for (const Offset& n : neighbours) {

@@ -8,6 +8,7 @@
 #include <sphonic/version.hpp>
 
 #include "case_reader.hpp"
+#include "form_fit.hpp"
 
 namespace fs = std::filesystem;
 
@@ -97,8 +98,13 @@ void require_fitting_vectors(const Section& section, const Plugin& plugin, int d
 double Case::radius() const {
     double largest = 0;
     for (const KernelUse& use : kernels) largest = std::max(largest, use.radius());
+    for (const Variable& v : equations.variables)
+        for (const Term& term : v.terms)
+            if (term.form) largest = std::max(largest, term.form->reach() * box.dx);
     return largest;
 }
+
+double Case::steps_of(double dt) const { return std::max(1.0, std::ceil(until / dt - 1e-9)); }
 
 void SourceUse::inside(const abi::Points& points, unsigned char* out) const {
     source->reach(points, out);
@@ -171,6 +177,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     read_time(scene, root, registry);
     read_output(scene, root);
     check_provenance(scene, root);
+    fit_forms(scene);
     root.finish();
     warn_unused(scene, root);
     (*scene.provenance)["version"] = version();

@@ -124,6 +124,7 @@ private:
             section.fail(present[0], gradient ? "a gradient takes a scalar and gives a vector" : "a divergence takes a vector and gives a scalar",
                          "Vectors are u and U");
         term.form = read_form(section);
+        term.form_text = section.resolved["form"].dump();
         term.kernel = read_kernel(section);
         read_times(term, scene_, section);
         return term;

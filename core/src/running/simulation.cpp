@@ -73,10 +73,8 @@ void Simulation::fix_step() {
     if (summary_.dt_limit == 0 && !choice.allow_unstable)
         throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" is unstable at every step",
                     "Choose another integrator, or set \"unstable\": \"allow\" to study the failure");
-    if (!std::isfinite(dt))
-        throw Error(Fault::input, place, "the equations bound no step: nothing changes in this set", "Check the kernel's h and the equations, or give dt");
     if (dt == 0) throw Error(Fault::input, place, "no step is stable", "Give dt or courant");
-    const double steps = std::max(1.0, std::ceil(scene_.until / dt - 1e-9));
+    const double steps = scene_.steps_of(dt);
     if (steps > 1e15) throw Error(Fault::input, place, "the run would take " + shown(steps) + " steps", "Choose a larger step or a shorter run");
     summary_.steps = long(steps);
     summary_.dt = scene_.until / steps;

@@ -108,6 +108,18 @@ double last_stable(double begin, double end, Stable stable) {
 
 double amplification(const Case& scene, double dt) { return worst_root(scene, demanding_modes(scene), dt); }
 
+double oscillator_limit(const Case& scene) {
+    const double any[3] = {1 / scene.box.dx, 0, 0};
+    Mode mode{symbol(scene, any, 0), 1, 0};
+    ModeSystem rows(scene, mode.symbol);
+    const int p = rows.row(scene.behind(scene.equations.find("p")).variable), u = rows.row(scene.equations.find("u")), n = mode.symbol.n;
+    mode.symbol.a.assign(std::size_t(n * n), 0.0);
+    mode.symbol.a[std::size_t(p * n + u)] = -1;
+    mode.symbol.a[std::size_t(u * n + p)] = 1;
+    const std::vector<Mode> only{mode};
+    return last_stable(strict_least, 20, [&](double dt) { return worst_root(scene, only, dt) <= 1 + tolerance; });
+}
+
 StepLimit step_limit(const Case& scene) {
     const std::vector<Mode> modes = demanding_modes(scene);
     const double omega = modes.front().frequency;

@@ -2,7 +2,8 @@
 /// A form plugin is a struct with own(i, j) and other(i, j), the weights of a pair's two values, where i and j are the
 /// two sides' media; a form that treats gradient and divergence differently takes the abi::Derivative as third argument.
 /// `static constexpr bool uniform = true` when the weights do not depend on the media, and
-/// `static constexpr abi::Correction correction` where the kernel's gradient is corrected.
+/// `static constexpr abi::Correction correction` where the kernel's gradient is corrected. A form with weights of its own has
+/// reach() and fit(lattice, weights) besides.
 
 #include <sphonic/plugin/abi/form.hpp>
 #include <sphonic/plugin/entry.hpp>
@@ -26,6 +27,15 @@ public:
             return F::correction;
         else
             return abi::Correction::none;
+    }
+    double reach() const override {
+        if constexpr (requires { model.reach(); })
+            return model.reach();
+        else
+            return 0;
+    }
+    void fit(const abi::LatticeFit& lattice, double* weight) const override {
+        if constexpr (requires { model.fit(lattice, weight); }) model.fit(lattice, weight);
     }
     bool uniform() const override {
         if constexpr (requires { F::uniform; })

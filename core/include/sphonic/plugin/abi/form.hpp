@@ -23,6 +23,17 @@ enum class Correction : int {
     pairwise    ///< L_i grad W for f_i and L_j grad W for f_j: the adjoint of `own`
 };
 
+/// The neighbours of a particle in the interior of a lattice, one of each pair o, -o, for a form that brings weights of its own.
+struct LatticeFit {
+    int dimension = 1;
+    int n = 0;
+    const int* offset[3] = {nullptr, nullptr, nullptr};    ///< o by axis, in spacings
+    /// c0 dt/dx of the leapfrog whose error in time the weights are to cancel; 0: of none.
+    double courant = 0;
+    /// The largest |F| dx that the integrator bears at the step of the run, F being the operator's symbol; infinity if not known.
+    double most = 0;
+};
+
 /// How a gradient or a divergence weighs the two values of a pair:
 ///   sum_j V_j (own_ij f_i + other_ij f_j) grad_i W_ij      (dot product for a divergence).
 /// The form decides what is conserved and what converges.
@@ -35,6 +46,12 @@ public:
     /// True when the two coefficients are the same for every pair and every medium; they are then asked for once.
     virtual bool uniform() const = 0;
     virtual void coefficients(Derivative derivative, const PairMedia& media, double* own, double* other) const = 0;
+
+    /// Radius of a form's own weights in spacings; 0 for the others, which take the kernel's gradient.
+    virtual double reach() const { return 0; }
+    /// Those weights on a lattice: other_ij V_j grad_i W_ij becomes other_ij w_o o / dx, and the opposite for -o.
+    /// Throws std::invalid_argument with a remedy if there are none.
+    virtual void fit(const LatticeFit&, double*) const {}
 };
 
 }    // namespace sphonic::abi
