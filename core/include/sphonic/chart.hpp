@@ -25,11 +25,23 @@ struct Axis {
     std::optional<double> lower, upper;    ///< absent: fitted to the visible points with a margin of 5 %
 };
 
+/// A field on a grid of cells, drawn as an image: blue below zero, near white at it, red above, darkest at -limit and
+/// limit and beyond them. Cells that are not finite are grey.
+struct Raster {
+    int columns = 0, rows = 0;
+    double left = 0, bottom = 0;                  ///< corner of the first cell, on the panel's axes
+    double cell_width = 1, cell_height = 1;
+    std::vector<double> values;                   ///< row by row from the bottom
+    double limit = 1;
+    std::string label;                            ///< of the colour bar; carries the unit: "p [Pa]"
+};
+
 struct Panel {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves;
     bool legend = true;
+    std::optional<Raster> raster{};    ///< beneath the curves: a unit is as long on both axes, and there is no legend
     int span = 1;    ///< columns of the chart that the panel takes
 };
 
@@ -41,6 +53,24 @@ struct Chart {
     int columns = 1;
     int width = 1000, height = 600;    ///< whole picture [px]
 };
+
+/// The height at which rasters fill the width that they have.
+int fitting_height(const Chart& chart);
+
+/// Points of a plane, each with a value.
+struct Scatter {
+    std::span<const double> x, y, value;
+};
+
+/// The points as cells. Points on a lattice of this spacing have a cell each; others have finer ones: the set shows.
+/// A cell takes the point in it, of several the one of largest magnitude: where cells hold many points, neither a crest
+/// nor a sawtooth from point to point is averaged away. A cell without a point takes the nearest, up to 1.5 spacings
+/// away, and is NaN beyond. There are at most `most` columns and rows.
+Raster raster_of(const Scatter& points, double spacing, int most = 500);
+
+/// Sets the limit to the largest magnitude and the label to `quantity`. Where it is over twice the 99.5 % quantile of the
+/// cells that are not silent (0.1 % of it), the colours end at that quantile, and the label says so and how large it gets.
+void set_limit(Raster& raster, const std::string& quantity);
 
 /// Writes STEM.png and STEM.svg through gnuplot, each under a temporary name first. Returns false where gnuplot is not
 /// installed: then STEM.gp is left, a script with its data inside, to be drawn elsewhere.

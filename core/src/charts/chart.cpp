@@ -31,7 +31,8 @@ void check(const Chart& chart) {
         throw Error(Fault::input, place,
                     "its size is " + std::to_string(chart.width) + " x " + std::to_string(chart.height) + " pixels",
                     "Use at least 200 x 150");
-    for (const Panel& panel : chart.panels)
+    for (const Panel& panel : chart.panels) {
+        if (panel.raster) charting::check(panel, place);
         for (const Curve& curve : panel.curves) {
             const auto nx = curve.x.size(), ny = curve.y.size(), labels = curve.point_labels.size();
             if (nx != ny)
@@ -42,6 +43,7 @@ void check(const Chart& chart) {
                             std::to_string(labels) + " labels for " + std::to_string(nx) + " points",
                             "Give one label per point or none");
         }
+    }
 }
 
 bool gnuplot_installed() {

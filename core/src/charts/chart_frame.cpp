@@ -18,7 +18,7 @@ int entries_of(const Panel& panel) {
 
 Legend legend_of(const Panel& panel, double font) {
     Legend legend;
-    if (!panel.legend || entries_of(panel) == 0) return legend;
+    if (!panel.legend || panel.raster || entries_of(panel) == 0) return legend;
     for (const Curve& curve : panel.curves) {
         const auto letters = std::ranges::count_if(curve.label, [](char c) { return (c & 0xC0) != 0x80; });
         legend.widest = std::max(legend.widest, text_width(curve.label, 1));
@@ -33,15 +33,20 @@ Legend legend_of(const Panel& panel, double font) {
 /// The rectangle of the data and the ticks that determine it.
 void fit_data(Frame& frame, const Panel& panel, double font) {
     const bool beside = frame.legend.place == Place::beside, below = frame.legend.place == Place::below;
-    const double side = beside ? frame.legend.width + font : 0, under = below ? frame.legend.height + 0.4 * font : 0;
+    double side = beside ? frame.legend.width + font : 0;
+    const double under = below ? frame.legend.height + 0.4 * font : 0;
     Box& data = frame.data;
     data.top = frame.cell.top - (panel.title.empty() ? 0.8 : 2.2) * font;
-    data.bottom = frame.cell.bottom + (panel.x.label.empty() ? 2.4 : 3.9) * font + under;
+    const double outside = tick_length(panel, font);
+    data.bottom = frame.cell.bottom + outside + (panel.x.label.empty() ? 2.4 : 3.9) * font + under;
     frame.y_ticks = ticks_of(frame.y, std::max(data.height(), font), font, false);
-    data.left = frame.cell.left + widest(frame.y_ticks, font) + (panel.y.label.empty() ? 1.2 : 3.0) * font;
+    if (panel.raster) side = bar_room(frame, *panel.raster, font);
+    data.left = frame.cell.left + widest(frame.y_ticks, font) + (panel.y.label.empty() ? 1.2 : 3.0) * font + outside;
     data.right = frame.cell.right - 1.6 * font - side;
     frame.x_ticks = ticks_of(frame.x, std::max(data.width(), font), font, true);
     data.right = std::min(data.right, frame.cell.right - side - 0.5 * widest(frame.x_ticks, font) - 0.4 * font);
+    frame.room = data;
+    if (panel.raster) fit_raster(frame, *panel.raster, font);
     frame.x_ticks = ticks_of(frame.x, std::max(data.width(), font), font, true);
 }
 
@@ -68,8 +73,8 @@ void place_legend(Frame& frame, const Panel& panel, double font) {
 }
 
 Frame frame_of(const Panel& panel, const Box& cell, double font) {
-    Frame frame{.cell = cell, .data = {}, .x = x_scale(panel), .y = y_scale(panel), .x_ticks = {}, .y_ticks = {},
-                .legend = legend_of(panel, font), .labels = {}};
+    Frame frame{.cell = cell, .data = {}, .room = {}, .bar = {}, .x = x_scale(panel), .y = y_scale(panel),
+                .x_ticks = {}, .y_ticks = {}, .bar_ticks = {}, .legend = legend_of(panel, font), .labels = {}};
     fit_data(frame, panel, font);
     place_legend(frame, panel, font);
     Ink ink = ink_of(panel, frame, font);

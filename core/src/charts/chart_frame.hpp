@@ -25,8 +25,10 @@ struct Legend {
 /// A panel with everything placed: the rectangle of its data, its axes, legend and point labels.
 struct Frame {
     Box cell, data;
+    Box room;    ///< what the data could have taken; a raster, whose shape is fixed, leaves some
+    Box bar;     ///< of a raster's colours
     Scale x, y;
-    std::vector<Tick> x_ticks, y_ticks;
+    std::vector<Tick> x_ticks, y_ticks, bar_ticks;
     Legend legend;
     std::vector<PointLabel> labels;
 
@@ -44,6 +46,13 @@ double font_of(const Chart& chart);
 double fitted(const std::string& text, double font, double pixels);
 
 std::vector<Frame> lay_out(const Chart& chart);
+
+/// Of ticks outside the data [px]: over a raster they would be lost.
+inline double tick_length(const Panel& panel, double font) { return panel.raster ? 0.5 * font : 0; }
+/// Room [px] that the colour bar, its ticks and its label take beside the data, whose height is known.
+double bar_room(Frame& frame, const Raster& raster, double font);
+/// Makes a unit as long on both axes and places the colour bar.
+void fit_raster(Frame& frame, const Raster& raster, double font);
 
 Ink ink_of(const Panel& panel, const Frame& frame, double font);
 std::vector<PointLabel> place_labels(const Panel& panel, const Frame& frame, const Ink& ink, double font);

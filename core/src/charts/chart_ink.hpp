@@ -16,6 +16,11 @@ struct Box {
     double width() const { return right - left; }
     double height() const { return top - bottom; }
     Box grown(double by) const { return {left - by, bottom - by, right + by, top + by}; }
+    /// Of this size around the same centre.
+    Box resized(double wide, double high) const {
+        const double x = (left + right) / 2, y = (bottom + top) / 2;
+        return {x - wide / 2, y - high / 2, x + wide / 2, y + high / 2};
+    }
     bool holds(const Box& b) const { return left <= b.left && bottom <= b.bottom && b.right <= right && b.top <= top; }
     double shared(const Box& b) const {
         return std::max(0.0, std::min(right, b.right) - std::max(left, b.left)) *

@@ -22,15 +22,16 @@ void write_axis(const Pen& pen, char name, const Scale& scale, const std::vector
 
 void write_axes(const Pen& pen, const Panel& panel, const Frame& frame) {
     const Box &d = frame.data, &cell = frame.cell;
-    const double font = pen.font, middle = (d.left + d.right) / 2;
+    const double font = pen.font, outside = tick_length(panel, font), middle = (d.left + d.right) / 2;
+    const double beside = d.left - widest(frame.y_ticks, font) - 1.9 * font - outside;
     pen.margins(d);
-    pen.out << "set border 3 lc rgb '#404040' lw 1\nset grid xtics ytics lt 1 lw 0.8 lc rgb '#dddddd'\nset grid back\n";
+    pen.out << (panel.raster ? "set tics out\nset border 15" : "set border 3")
+            << " lc rgb '#404040' lw 1\nset grid xtics ytics lt 1 lw 0.8 lc rgb '#dddddd'\nset grid back\n";
     write_axis(pen, 'x', frame.x, frame.x_ticks);
     write_axis(pen, 'y', frame.y, frame.y_ticks);
     pen.text(panel.title, {middle, d.top + 1.1 * font}, 1.1 * font, cell.width() - font);
-    pen.text(panel.x.label, {middle, d.bottom - 2.9 * font}, font, cell.width() - font);
-    pen.text(panel.y.label, {cell.left + 1.1 * font, (d.bottom + d.top) / 2}, font, cell.height() - font, "",
-             "rotate by 90");
+    pen.text(panel.x.label, {middle, d.bottom - 2.9 * font - outside}, font, cell.width() - font);
+    pen.text(panel.y.label, {beside, (d.bottom + d.top) / 2}, font, cell.height() - font, "", "rotate by 90");
 }
 
 void write_legend(const Pen& pen, const Frame& frame, double letter) {
@@ -72,7 +73,7 @@ void write_labels(const Pen& pen, const Frame& frame) {
 void write_curves(const Pen& pen, const Panel& panel, std::size_t index, double marker) {
     const double scale = pen.font / base_font;
     const std::vector<Look> looks = looks_of(panel, scale, marker * scale);
-    pen.out << "plot NaN notitle";
+    pen.out << "plot " << (panel.raster ? image_plot(*panel.raster, index) : "NaN notitle");
     for (const int layer : {0, 1, 2})
         for (std::size_t c = 0; c < looks.size(); ++c)
             if (looks[c].layer == layer)
@@ -88,6 +89,7 @@ void write_curves(const Pen& pen, const Panel& panel, std::size_t index, double 
 
 void write_panel(const Pen& pen, const Terminal& terminal, const Panel& panel, const Frame& frame, std::size_t index) {
     write_axes(pen, panel, frame);
+    if (panel.raster) write_colours(pen, panel, frame);
     write_legend(pen, frame, terminal.letter);
     write_labels(pen, frame);
     write_curves(pen, panel, index, terminal.marker);

@@ -80,10 +80,12 @@ Scale fit(const Axis& axis, Scale found) {
 }    // namespace
 
 Scale x_scale(const Panel& panel) {
+    if (const auto& r = panel.raster) return {r->left, r->left + r->columns * r->cell_width, false};
     return fit(panel.x, extent(panel, panel.x, &Curve::x, panel.y, &Curve::y));
 }
 
 Scale y_scale(const Panel& panel) {
+    if (const auto& r = panel.raster) return {r->bottom, r->bottom + r->rows * r->cell_height, false};
     return fit(panel.y, extent(panel, panel.y, &Curve::y, panel.x, &Curve::x));
 }
 

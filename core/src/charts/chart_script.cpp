@@ -72,9 +72,11 @@ std::string script(const Chart& chart, const std::filesystem::path& png, const s
     std::ostringstream out;
     const Pen pen(chart, out);
     out << "set encoding utf8\n";
-    for (std::size_t p = 0; p < frames.size(); ++p)
+    for (std::size_t p = 0; p < frames.size(); ++p) {
+        if (chart.panels[p].raster) write_cells(out, *chart.panels[p].raster, p);
         for (std::size_t c = 0; c < chart.panels[p].curves.size(); ++c)
             write_data(out, chart.panels[p].curves[c], frames[p], data_block(p, c));
+    }
     write_picture(pen, {"pngcairo", 1, 0.625, 1}, chart, frames, png);
     write_picture(pen, {"svg", 1 / 0.75, 0.5236, 0.65}, chart, frames, svg);
     return out.str();

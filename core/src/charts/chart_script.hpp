@@ -42,6 +42,15 @@ private:
 /// Axes, legend, labels and curves of one panel.
 void write_panel(const Pen& pen, const Terminal& terminal, const Panel& panel, const Frame& frame, std::size_t index);
 
+/// Throws where a raster cannot be drawn; `place` names the chart.
+void check(const Panel& panel, const std::string& place);
+/// Data of a raster: its values in units of the limit, in thousandths.
+void write_cells(std::ostream& out, const Raster& raster, std::size_t panel);
+/// Colours, their bar and what lies behind the cells.
+void write_colours(const Pen& pen, const Panel& panel, const Frame& frame);
+/// The part of a plot command that draws the cells.
+std::string image_plot(const Raster& raster, std::size_t panel);
+
 /// A complete script, data inside, that writes the picture to both files.
 std::string script(const Chart& chart, const std::filesystem::path& png, const std::filesystem::path& svg);
 

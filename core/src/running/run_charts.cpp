@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include <sphonic/run_report.hpp>
@@ -14,15 +15,18 @@ std::string text(const char* format, double value) {
     return buffer;
 }
 
+/// The particles' coordinate that is nearest to the middle of the box.
+double middle(const Case& scene, const Profile& profile, int axis) {
+    const double middle = 0.5 * (scene.box.lower[axis] + scene.box.upper[axis]);
+    return *std::min_element(profile.x[axis].begin(), profile.x[axis].end(),
+                             [&](double p, double q) { return std::abs(p - middle) < std::abs(q - middle); });
+}
+
 /// Particles of the row along x through the middle of the box, by x.
 std::vector<std::size_t> middle_row(const Case& scene, const Profile& profile) {
     std::vector<std::size_t> row;
     double nearest[3] = {0, 0, 0};
-    for (int a = 1; a < scene.box.dimension; ++a) {
-        const double middle = 0.5 * (scene.box.lower[a] + scene.box.upper[a]);
-        nearest[a] = *std::min_element(profile.x[a].begin(), profile.x[a].end(),
-                                       [&](double p, double q) { return std::abs(p - middle) < std::abs(q - middle); });
-    }
+    for (int a = 1; a < scene.box.dimension; ++a) nearest[a] = middle(scene, profile, a);
     for (std::size_t i = 0; i < profile.p.size(); ++i) {
         bool inside = true;
         for (int a = 1; a < scene.box.dimension; ++a) inside = inside && std::abs(profile.x[a][i] - nearest[a]) < 0.5 * scene.box.dx;
@@ -82,7 +86,55 @@ Panel magnified(const Case& scene, const Row& row, std::size_t crest) {
             .curves = curves(row, std::size_t(first), std::size_t(last), Curve::Style::line_points), .legend = false};
 }
 
+/// The particles of the field's picture; the difference from the reference is NaN outside its region.
+struct Layer {
+    std::vector<double> x, y, p, difference;
+};
+
+Layer layer_of(const Case& scene, const Profile& profile) {
+    const bool deep = scene.box.dimension == 3;
+    const double z = deep ? middle(scene, profile, 2) : 0;
+    Layer layer;
+    for (std::size_t i = 0; i < profile.p.size(); ++i) {
+        if (deep && std::abs(profile.x[2][i] - z) >= 0.5 * scene.box.dx) continue;
+        layer.x.push_back(profile.x[0][i]);
+        layer.y.push_back(profile.x[1][i]);
+        layer.p.push_back(profile.p[i]);
+        if (profile.exact.empty()) continue;
+        const double outside = std::numeric_limits<double>::quiet_NaN();
+        layer.difference.push_back(profile.in_region[i] ? profile.p[i] - profile.exact[i] : outside);
+    }
+    return layer;
+}
+
+Panel picture(const Case& scene, const Layer& layer, const std::vector<double>& values, const std::string& quantity) {
+    Panel panel{.title = "", .x = {.label = "x [m]"}, .y = {.label = "y [m]"}, .curves = {}};
+    panel.raster = raster_of({.x = layer.x, .y = layer.y, .value = values}, scene.box.dx);
+    set_limit(*panel.raster, quantity);
+    return panel;
+}
+
 }    // namespace
+
+Chart field_chart(const Case& scene, const Summary& summary, const Profile& profile) {
+    const Layer layer = layer_of(scene, profile);
+    Chart chart{.title = scene.title + text(", t = %.4g s", profile.t), .panels = {}};
+    if (scene.box.dimension == 3) {
+        const double step = 0.01 * scene.box.dx, z = step * std::round(middle(scene, profile, 2) / step);
+        chart.title += text(", z = %.4g m", z + 0.0);
+    }
+    chart.panels.push_back(picture(scene, layer, layer.p, "p [Pa]"));
+    if (!layer.difference.empty()) {
+        chart.panels[0].title = "pressure";
+        chart.panels.push_back(picture(scene, layer, layer.difference, "p − exact [Pa]"));
+        chart.panels[1].title = "difference from exact" + (summary.errors ? text(", L2 error %.3g", summary.errors->l2) : "");
+        const Raster& raster = *chart.panels[0].raster;
+        const bool wide = raster.columns * raster.cell_width > 1.8 * raster.rows * raster.cell_height;
+        if (!wide) chart.columns = 2, chart.width = 1600;
+    }
+    chart.height = fitting_height(chart);
+    return chart;
+}
 
 Chart pressure_chart(const Case& scene, const Summary& summary, const Profile& profile) {
     const Row row = row_of(scene, profile);

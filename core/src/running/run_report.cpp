@@ -63,6 +63,7 @@ void write_results(const Case& scene, Simulation& simulation, const ResultFolder
     folder.write("summary.json", json_text(to_json(summary)));
     folder.write("profile.csv", profile_csv(profile, scene.box.dimension));
     bool drawn = draw(pressure_chart(scene, summary, profile), folder.path() / "pressure");
+    if (scene.box.dimension > 1) drawn = draw(field_chart(scene, summary, profile), folder.path() / "field") && drawn;
     if (!simulation.probes().p.empty()) {
         folder.write("probes.csv", probes_csv(simulation.probes()));
         drawn = draw(probe_chart(scene, simulation.probes()), folder.path() / "probes") && drawn;
