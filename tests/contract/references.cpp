@@ -10,7 +10,7 @@ using namespace sphonic::contract;
 namespace {
 
 const abi::Medium medium{2, 1.5};
-constexpr double amplitude = 3, width = 0.5, centre[3] = {0.1, -0.2, 0.3};
+constexpr double amplitude = 3, width = 0.5, centre[3] = {0.1, -0.2, 0.3}, wall_at = 0.7;
 
 struct Field {
     double p = 0, u[3] = {0, 0, 0};
@@ -42,6 +42,24 @@ std::unique_ptr<abi::Reference> created(const std::string& name, int d) {
         if (key == "width") values.back().real = width;
         if (key == "wave_number") values.back() = vector_of(d, k);
         if (key == "centre") values.back() = vector_of(d, centre);
+    }
+    return registry().create<abi::Reference>(plugin, values);
+}
+
+/// A wave before a wall, normal to `axis` at 0.7 m.
+std::unique_ptr<abi::Reference> walled(const char* wall, int d, int axis, const std::vector<double>& k = {2.1, -1.3, 0.7}) {
+    constexpr const char* names[] = {"x", "y", "z"};
+    const Plugin& plugin = registry().find("reference", "reflected_wave", "contract");
+    std::vector<abi::Value> values;
+    for (const auto& row : plugin.parameters) {
+        values.push_back(row.initial);
+        const std::string key = row.name;
+        if (key == "amplitude") values.back().real = amplitude;
+        if (key == "phase") values.back().real = 0.4;
+        if (key == "position") values.back().real = wall_at;
+        if (key == "wall") values.back().text = wall;
+        if (key == "axis") values.back().text = names[axis];
+        if (key == "wave_number") values.back() = vector_of(d, k.data());
     }
     return registry().create<abi::Reference>(plugin, values);
 }
@@ -122,6 +140,37 @@ TEST_CASE("waves and the pulse solve linear acoustics in each dimension", "[refe
                 check_acoustics(*reference, d, 0.2, x);
             }
         }
+}
+
+TEST_CASE("a reflected wave solves linear acoustics and keeps the wall's condition, in each dimension along each axis", "[reference]") {
+    for (const std::string wall : {"rigid", "soft", "absorbing"})
+        for (int d = 1; d <= 3; ++d)
+            for (int axis = 0; axis < d; ++axis) {
+                INFO(wall << " wall in " << d << "-D, normal to axis " << axis);
+                const auto reference = walled(wall.c_str(), d, axis), incident = prepared("travelling_wave", d);
+                reference->prepare({.dimension = d, .medium = medium});
+                for (const double t : {0.2, 0.9}) {
+                    double x[3] = {0.17, 0.42, -0.61};
+                    const Field wave = at(*incident, d, t, x), before_wall = at(*reference, d, t, x);
+                    check_acoustics(*reference, d, t, x);
+                    // the way it comes is the travelling wave; what is added to it is as large as the wall sends back
+                    CHECK((before_wall.p == Approx(wave.p).epsilon(1e-12)) == (wall == "absorbing"));
+                    x[axis] = wall_at;
+                    const Field coming = at(*incident, d, t, x), on_wall = at(*reference, d, t, x);
+                    const double p_kept = wall == "rigid" ? 2 : wall == "soft" ? 0 : 1;
+                    CHECK(std::abs(on_wall.p - p_kept * coming.p) < 1e-12 * amplitude);
+                    for (int a = 0; a < d; ++a)
+                        CHECK(std::abs(on_wall.u[a] - (a == axis ? 2 - p_kept : p_kept) * coming.u[a]) < 1e-12 * amplitude);
+                    REQUIRE(std::abs(coming.p) > 0.02 * amplitude);    // or these say nothing
+                }
+            }
+}
+
+TEST_CASE("a reflected wave needs an axis of the space and a wave that meets the wall", "[reference]") {
+    CHECK_THROWS_WITH(walled("rigid", 2, 2)->prepare({.dimension = 2, .medium = medium}), "there is no axis z in this dimension: choose another");
+    CHECK_THROWS_WITH(walled("rigid", 2, 1, {2, 0, 0})->prepare({.dimension = 2, .medium = medium}),
+                      "wave_number has no component along y: the wave never meets the wall");
+    CHECK_THROWS_WITH(walled("rigid", 3, 0)->prepare({.dimension = 2, .medium = medium}), "wave_number needs one component per dimension");
 }
 
 TEST_CASE("a reference whose vector does not fit the dimension is refused", "[reference]") {
