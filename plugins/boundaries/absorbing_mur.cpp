@@ -5,7 +5,8 @@
 /// First-order absorption (Mur 1981) for p and each component of u, cascaded over the layers of virtual particles (Zhang, Li
 /// and Zhang 2017):
 ///   f_{N+k}(t) = f_{N+k-1}(t - dt) + (c0 dt - dx)/(c0 dt + dx) (f_{N+k-1}(t) - f_{N+k}(t - dt)).
-/// Exact for waves that leave at right angles on a fine set; obliquely it reflects (1 - cos t)/(1 + cos t) in theory.
+/// Exact for waves that leave at right angles on a fine set. Most of what it leaves there is a sawtooth, the short wave of the same
+/// frequency; obliquely a single equation would reflect (1 - cos t)/(1 + cos t), p and u together much less.
 struct AbsorbingMur final : abi::Boundary {
     abi::Closure closure() const override { return abi::Closure::layers; }
 

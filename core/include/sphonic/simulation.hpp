@@ -90,6 +90,7 @@ private:
     ProbeRecord probes_;
     std::vector<long> probe_particles_;
     std::vector<char> in_region_;    ///< by initial position
+    Profile measured_;               ///< that errors were taken from: some references are dear
 
     void fix_step();
     void find_probes();

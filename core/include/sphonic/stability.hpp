@@ -37,6 +37,9 @@ double oscillator_limit(const Case& scene);
 /// The largest stable step of the case on its lattice, with viscosity always on.
 StepLimit step_limit(const Case& scene);
 
+/// True if the case's integrator passes through states within a step that it does not keep: walls with memory cannot follow it.
+bool works_in_stages(const Case& scene);
+
 /// How the case's lattice and integrator carry a steady tone at step dt, mean over axis and diagonals; nothing where no wave
 /// of that frequency travels. Without viscosity.
 std::optional<abi::ToneResponse> tone_response(const Case& scene, double omega, double dt);

@@ -103,15 +103,9 @@ bool NeighbourList::moved(const double* const* x) const {
     return !(worst <= 0.25 * skin_ * skin_);
 }
 
-bool NeighbourList::update(const double* const* x) {
-    if (!start_.empty() && !moved(x)) return false;
-    build(x);
+void NeighbourList::build(const double* const* x, long images) {
     for (int a = 0; a < box_.dimension; ++a) built_at_[a].assign(x[a], x[a] + n_);
-    return true;
-}
-
-void NeighbourList::build(const double* const* x) {
-    const Cells cells(box_, n_, x, radius_ + skin_);
+    const Cells cells(box_, n_ + images, x, radius_ + skin_);
     const double limit = (radius_ + skin_) * (radius_ + skin_);
     const auto near = [&](long i, long j) {
         double d2 = 0;
@@ -125,10 +119,12 @@ void NeighbourList::build(const double* const* x) {
     const auto for_neighbours = [&](auto found) {
         for (long c = 0; c < cells.cells(); ++c) {
             const auto around = cells.around(cells.site(c));
-            for (const std::int32_t i : cells.members(c))
+            for (const std::int32_t i : cells.members(c)) {
+                if (i >= n_) continue;
                 for (const long other : around)
                     for (const std::int32_t j : cells.members(other))
                         if (j != i && near(i, j)) found(i, j);
+            }
         }
     };
     start_.assign(std::size_t(n_ + 1), 0);

@@ -11,14 +11,16 @@ struct Run {
     std::int32_t j, count;
 };
 
-/// For every particle the others within radius + skin, rebuilt when any of them has moved by half the skin.
-/// Periodic axes use the nearest image: the box must be at least twice the radius long.
+/// For every particle of a set the others within radius + skin, among them virtual ones that are numbered after the set's
+/// own and have no neighbours themselves. Periodic axes use the nearest image: the box must be at least twice the radius long.
 class NeighbourList {
 public:
     NeighbourList(const abi::Box& box, long particles, double radius, double skin);
 
-    /// Rebuilds if needed; true if it did.
-    bool update(const double* const* x);
+    /// True until built, and again once a particle has moved by half the skin.
+    bool outdated(const double* const* x) const { return start_.empty() || moved(x); }
+    /// `x` of the set's own and of `images` virtual particles, which move as their sources do.
+    void build(const double* const* x, long images);
 
     const std::vector<std::int64_t>& start() const { return start_; }              ///< first pair of each particle, [particles + 1]
     const std::vector<std::int32_t>& neighbour() const { return neighbour_; }      ///< ascending for each particle
@@ -43,7 +45,6 @@ private:
     std::vector<double> built_at_[3];
 
     bool moved(const double* const* x) const;
-    void build(const double* const* x);
     void find_runs();
 };
 

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cmath>
 
-#include "pair_set.hpp"
+#include "pair_terms.hpp"
 #include "parallel.hpp"
-#include "stencil.hpp"
 
 namespace sphonic {
 namespace {
@@ -11,8 +9,8 @@ namespace {
 /// Rate terms tile by tile, every term as one scalar per pair. One worker per thread.
 class PairWorker {
 public:
-    PairWorker(const PairSet& set, const std::vector<Share>& shares)
-        : set_(set), shares_(shares), pairs_(set, components_read(set, shares)) {}
+    PairWorker(const PairSet& set, const std::vector<Share>& shares, const PairTerms::Corrections& corrections)
+        : set_(set), shares_(shares), pairs_(set, components_read(set, shares)), terms_(set, corrections) {}
 
     /// Tiles begin ... end - 1; `inverse_rho` of all particles where the set has a current density, else null.
     void evaluate(const Evaluation& e, const double* inverse_rho, long begin, long end) {
@@ -20,7 +18,8 @@ public:
         for (long i = begin; i < end; ++i) {
             take_tile(set_, i, tile_);
             pairs_.start(tile_);
-            for (const Share& share : shares_) evaluate_share(share, tile_, pairs_, e);
+            terms_.start(tile_, pairs_);
+            for (const Share& share : shares_) evaluate_share(share, e);
         }
     }
 
@@ -29,7 +28,8 @@ private:
     std::vector<Share> shares_;
     PairValues pairs_;
     PairTile tile_;
-    Array sum_, density_, own_, other_, u_dot_r_, Pi_, value_, impedance_i_, impedance_j_;
+    PairTerms terms_;
+    Array sum_;
 
     static std::vector<int> components_read(const PairSet& set, const std::vector<Share>& shares) {
         const Equations& e = set.scene.equations;
@@ -50,140 +50,50 @@ private:
     }
 
     const Variable& variable(int v) const { return set_.scene.equations.variables[std::size_t(v)]; }
-    int component(int v) const { return set_.components.first[std::size_t(v)]; }
 
-    /// All terms of a variable as one scalar per pair, which a vector multiplies by r_ij.
-    void evaluate_share(const Share& share, const PairTile& tile, PairValues& pairs, const Evaluation& e) {
-        double* sum = pairs.room(sum_);
-        const int v = share.variable;
-        if (share.terms.empty()) std::fill_n(sum, tile.n, 0.0);
+    /// All terms of a variable that one scalar per pair times r_ij can hold, and then the others.
+    void evaluate_share(const Share& share, const Evaluation& e) {
+        double* sum = pairs_.room(sum_);
+        const int d = set_.scene.box.dimension, target = set_.components.first[std::size_t(share.variable)];
+        bool empty = true, assign = e.assign;
         for (const Term* term : share.terms) {
-            const bool first = term == share.terms.front();
-            if (term->op == Term::Operator::viscosity)
-                add_viscosity(*term, pairs, sum, first);
-            else
-                add_derivative(*term, pairs, sum, first);
+            if (PairTerms::corrected_gradient(*term)) continue;
+            terms_.add(*term, pairs_, sum, empty);
+            empty = false;
         }
-        if (!variable(v).is_vector) return row_sums(tile, sum, e.scale, e.assign, e.out[component(v)]);
-        for (int a = 0; a < set_.scene.box.dimension; ++a)
-            row_sums(tile, sum, pairs.r(a), e.scale, e.assign, e.out[component(v) + a]);
-    }
-
-    void add_derivative(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
-        const auto [own, other] = coefficients(term, pairs);
-        double* __restrict value = pairs.room(value_);
-        const bool gradient = term.op == Term::Operator::gradient;
-        for (int a = 0; a < (gradient ? 1 : set_.scene.box.dimension); ++a) {
-            const int c = component(term.operand) + a;
-            combine(pairs.n(), own, other, pairs.own(c), pairs.other(c), gradient ? nullptr : pairs.r(a), a == 0, value);
+        if (share.terms.empty()) std::fill_n(sum, tile_.n, 0.0);
+        if (!variable(share.variable).is_vector) return row_sums(tile_, sum, e.scale, e.assign, e.out[target]);
+        for (int a = 0; (!empty || share.terms.empty()) && a < d; ++a) {
+            row_sums(tile_, sum, pairs_.r(a), e.scale, e.assign, e.out[target + a]);
+            assign = false;
         }
-        const double coefficient = term.coefficient;
-        const double* __restrict weight = pairs.weight(term.kernel);
-        for (const Factor& factor : term.factors) multiply(value, pairs, factor);
-        if (first)
-            for (int k = 0; k < pairs.n(); ++k) sum[k] = coefficient * value[k] * weight[k];
-        else
-            for (int k = 0; k < pairs.n(); ++k) sum[k] += coefficient * value[k] * weight[k];
-    }
-
-    /// Per-pair coefficients; a stride of 0 in `Coefficient` stands for a uniform one.
-    struct Coefficient {
-        const double* value;
-        int stride;
-    };
-
-    std::pair<Coefficient, Coefficient> coefficients(const Term& term, PairValues& pairs) {
-        double *own = pairs.room(own_), *other = pairs.room(other_);
-        const int rho = set_.density();
-        if (term.form->uniform() || rho < 0) {
-            const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set_.scene.medium);
-            own[0] = c.own, other[0] = c.other;
-            return {{own, 0}, {other, 0}};
+        for (const Term* term : share.terms) {
+            if (!PairTerms::corrected_gradient(*term)) continue;
+            for (int a = 0; a < d; ++a)
+                row_sums(tile_, terms_.gradient(*term, pairs_, a), pairs_.weight(term->kernel), e.scale * term->coefficient, assign, e.out[target + a]);
+            assign = false;
         }
-        const double *rho_i = pairs.own(component(rho)), *rho_j = pairs.other(component(rho));
-        double *Z_i = pairs.room(impedance_i_), *Z_j = pairs.room(impedance_j_);
-        for (int k = 0; k < pairs.n(); ++k) {
-            Z_i[k] = rho_i[k] * set_.scene.medium.c0;
-            Z_j[k] = rho_j[k] * set_.scene.medium.c0;
-        }
-        term.form->coefficients(derivative(term), {pairs.n(), rho_i, rho_j, pairs.own_inverse_rho(), pairs.other_inverse_rho(), Z_i, Z_j},
-                                own, other);
-        return {{own, 1}, {other, 1}};
-    }
-
-    /// value = own f_i + other f_j, times r_a and added up over the axes for a divergence.
-    static void combine(int n, Coefficient own, Coefficient other, const double* __restrict fi, const double* __restrict fj,
-                        const double* __restrict r, bool first, double* __restrict value) {
-        const auto sweep = [&](auto pair) {
-            if (!r)
-                for (int k = 0; k < n; ++k) value[k] = pair(k);
-            else if (first)
-                for (int k = 0; k < n; ++k) value[k] = pair(k) * r[k];
-            else
-                for (int k = 0; k < n; ++k) value[k] += pair(k) * r[k];
-        };
-        if (own.stride == 0) {
-            const double a = own.value[0], b = other.value[0];
-            sweep([=](int k) { return a * fi[k] + b * fj[k]; });
-        } else {
-            const double *a = own.value, *b = other.value;
-            sweep([=](int k) { return a[k] * fi[k] + b[k] * fj[k]; });
-        }
-    }
-
-    void multiply(double* __restrict value, PairValues& pairs, const Factor& factor) const {
-        const bool inverse = factor.power < 0, density = factor.variable == set_.density();
-        const double* __restrict f = inverse && density ? pairs.own_inverse_rho() : pairs.own(component(factor.variable));
-        const int n = pairs.n();
-        for (int p = 0; p < std::abs(factor.power); ++p) {
-            if (inverse && !density)
-                for (int k = 0; k < n; ++k) value[k] /= f[k];
-            else
-                for (int k = 0; k < n; ++k) value[k] *= f[k];
-        }
-    }
-
-    void add_viscosity(const Term& term, PairValues& pairs, double* __restrict sum, bool first) {
-        const int n = pairs.n(), rho = set_.density();
-        double* __restrict u_dot_r = pairs.room(u_dot_r_);
-        for (int a = 0; a < set_.scene.box.dimension; ++a) {
-            const int c = component(term.operand) + a;
-            const double *__restrict ui = pairs.own(c), *__restrict uj = pairs.other(c), *__restrict r = pairs.r(a);
-            if (a == 0)
-                for (int k = 0; k < n; ++k) u_dot_r[k] = (ui[k] - uj[k]) * r[k];
-            else
-                for (int k = 0; k < n; ++k) u_dot_r[k] += (ui[k] - uj[k]) * r[k];
-        }
-        abi::PairBlock block{.n = n, .u_dot_r = u_dot_r, .r2 = pairs.r2()};
-        block.h = set_.scene.kernels[std::size_t(term.kernel)].h;
-        block.c = set_.scene.medium.c0;
-        block.rho = set_.scene.medium.rho0;
-        if (rho >= 0) {
-            double* __restrict mean = pairs.room(density_);
-            const double *__restrict ri = pairs.own(component(rho)), *__restrict rj = pairs.other(component(rho));
-            for (int k = 0; k < n; ++k) mean[k] = 0.5 * (ri[k] + rj[k]);
-            block.rho_each = mean;
-        }
-        double* __restrict Pi = pairs.room(Pi_);
-        term.viscosity->pairs(block, Pi);
-        const double* __restrict slope = pairs.slope(term.kernel);
-        const double mass = set_.mass;
-        if (first)
-            for (int k = 0; k < n; ++k) sum[k] = -mass * slope[k] * Pi[k];
-        else
-            for (int k = 0; k < n; ++k) sum[k] -= mass * slope[k] * Pi[k];
     }
 };
 
 class PairProgram final : public Program {
 public:
-    PairProgram(const PairSet& set, const std::vector<Share>& shares) : set_(set) {
-        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, shares);
+    PairProgram(const PairSet& set, const std::vector<Share>& shares) : set_(set), corrections_(set.scene.kernels.size()) {
+        for (const Share& share : shares)
+            for (const Term* term : share.terms) {
+                auto& corrections = corrections_[std::size_t(term->kernel)];
+                if (!term->form || term->form->correction() == abi::Correction::none) continue;
+                if (!corrections) corrections = std::make_unique<PairCorrections>(set, term->kernel);
+                if (term->form->correction() == abi::Correction::pairwise) corrections->pairwise();
+            }
+        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, shares, corrections_);
         if (set.density() >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
     }
 
     void evaluate(const Evaluation& e) override {
         if (inverse_rho_.data()) invert(e.state[set_.components.first[std::size_t(set_.density())]], inverse_rho_.data());
+        for (const auto& corrections : corrections_)
+            if (corrections) corrections->compute(inverse_rho_.data());
         const long n = tiles(set_), threads = set_.threads;
         in_parallel(set_.threads, threads, [&](long t) {
             workers_[std::size_t(t)].evaluate(e, inverse_rho_.data(), n * t / threads, n * (t + 1) / threads);
@@ -192,6 +102,7 @@ public:
 
 private:
     const PairSet& set_;
+    PairTerms::Corrections corrections_;
     std::vector<PairWorker> workers_;
     Array inverse_rho_;
 

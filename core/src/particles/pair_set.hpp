@@ -3,6 +3,7 @@
 
 #include <sphonic/case.hpp>
 
+#include "mirror_particles.hpp"
 #include "neighbour_list.hpp"
 #include "pair_tile.hpp"
 #include "tier.hpp"
@@ -24,7 +25,8 @@ struct PairSet {
     const Components& components;
     Layout layout;
     NeighbourList list;
-    const double* x[3] = {};          ///< by axis
+    const MirrorParticles& mirrors;
+    const double* x[3] = {};          ///< by axis, of own and virtual particles
     int threads = 1;
     std::vector<long> cuts{};         ///< first particle of each tile, and the end
     double mass = 0;                  ///< [kg], the same for all

@@ -5,6 +5,7 @@
 #include <sphonic/error.hpp>
 
 #include "lanes.hpp"
+#include "mirror_particles.hpp"
 #include "particle_system.hpp"
 
 /// How a set begins: places and initial fields.
@@ -27,11 +28,9 @@ void ParticleSystem::displace(double* const* x) const {
     for (long i = 0; i < scene_.arrangement->size(box); ++i)
         for (int a = 0; a < box.dimension; ++a) {
             const double random = double(bits() >> 11) * 0x1p-53;    // the library's distributions differ between compilers
-            const double edge = 1e-6 * box.dx;
-            const bool on_face = !box.periodic[a] && (x[a][i] < box.lower[a] + edge || x[a][i] > box.upper[a] - edge);
-            if (on_face) continue;
+            if (!box.periodic[a] && (on_end(scene_, a, false, x[a][i]) || on_end(scene_, a, true, x[a][i]))) continue;
             x[a][i] += scene_.jitter * box.dx * (2 * random - 1);
-            if (!box.periodic[a]) x[a][i] = std::clamp(x[a][i], box.lower[a], box.upper[a]);
+            if (!box.periodic[a]) x[a][i] = std::clamp(x[a][i], end_of_set(scene_, a, false), end_of_set(scene_, a, true));
         }
 }
 

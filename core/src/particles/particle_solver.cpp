@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mirror_particles.hpp"
 #include "particle_system.hpp"
 #include "stencil.hpp"
 #include <sphonic/error.hpp>
@@ -13,7 +14,7 @@ namespace {
 
 class ParticleSolver final : public abi::Solver {
 public:
-    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), limit_(limit(scene, system_)) {}
+    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), limit_(limit(scene, system_)) { check_memory(); }
 
     double dt_limit() const override { return limit_.dt; }
     bool weakly_unstable() const override { return limit_.weak; }
@@ -94,11 +95,20 @@ private:
             for (const bool upper : {false, true}) {
                 const abi::Closure closure = scene_.closure(a, upper);
                 if (closure == abi::Closure::free || closure == abi::Closure::periodic || scene_.face(a, upper)->half_way()) continue;
-                const double plane = upper ? scene_.box.upper[a] : scene_.box.lower[a];
                 for (int i = 0; i < points.n; ++i)
-                    if (std::abs(points.x[a][i] - plane) < 1e-6 * scene_.box.dx) weight[std::size_t(i)] *= 0.5;
+                    if (on_end(scene_, a, upper, points.x[a][i])) weight[std::size_t(i)] *= 0.5;
             }
         return weight;
+    }
+
+    /// Layers that advance by what they were need states that stay.
+    void check_memory() const {
+        for (int a = 0; a < scene_.box.dimension; ++a)
+            for (const bool upper : {false, true})
+                if (scene_.closure(a, upper) == abi::Closure::layers && works_in_stages(scene_))
+                    throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" works in stages, and the boundary of " +
+                                std::string(1, "xyz"[a]) + (upper ? "_max" : "_min") + " acts once per step",
+                                "Use leapfrog, or another boundary such as absorbing_layer");
     }
 
     /// Tells sources of one tone how the set carries it; disordered sets do so about as their lattice does.

@@ -59,6 +59,7 @@ void ParticleSystem::add_sources(const Part& part, double t, abi::Slot out, doub
 }
 
 void ParticleSystem::close_step(double dt) {
+    damp(dt);
     budget_.added(supply_, dt);
     supply_ = 0;
 }

@@ -53,6 +53,7 @@ ParticleSystem::ParticleSystem(const Case& scene)
     order_algebraic();
     make_parts();
     for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, layout(), x);
+    enlist_layers();
 }
 
 ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool positions) {

@@ -70,6 +70,14 @@ private:
     Store store_;
     std::vector<Part> parts_;     ///< by splitting group, then everything, fields, positions
     std::vector<SourceMembers> sources_;
+    /// A particle in a layer that damps.
+    struct Damped {
+        std::ptrdiff_t at;
+        double rate;          ///< [1/s]
+        double factor = 1;    ///< over a step
+    };
+    std::vector<Damped> layers_;
+    double damping_step_ = 0;    ///< that the factors are for [s]
     double supply_ = 0;    ///< energy of the largest rate that sources added within a step
     int pressure_, velocity_;       ///< the variables p and u
     EnergyBudget budget_;
@@ -93,6 +101,8 @@ private:
     void set_scalar(int variable, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value);
     void put(const std::vector<std::ptrdiff_t>& at, const std::vector<double>& value, int component);
     double bulk_modulus() const;
+    void enlist_layers();
+    void damp(double dt);
     void set_initial_fields();
     void refresh_algebraic(const Part& changed, double t);
 };

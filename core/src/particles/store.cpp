@@ -8,10 +8,10 @@ namespace sphonic {
 
 Array::Array(std::size_t n) : data_(new (std::align_val_t(64)) double[n]()), size_(n) {}
 
-Layout Layout::flat(long n) {
+Layout Layout::flat(long n, long room) {
     Layout layout;
     layout.count[0] = n;
-    layout.size = n + overrun;
+    layout.size = n + room + overrun;
     return layout;
 }
 

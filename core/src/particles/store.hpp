@@ -27,7 +27,7 @@ private:
 };
 
 /// Where particle (i, j, k) of a set lies in a field: x fastest, rows padded, ghosts around.
-/// A set without structure is one row without ghosts.
+/// A set without structure is one row without ghosts; its virtual particles, if any, follow its own.
 struct Layout {
     int dimension = 1;
     long count[3] = {1, 1, 1};
@@ -36,7 +36,8 @@ struct Layout {
     long origin = 0;               ///< of particle (0, 0, 0)
     long size = 0;                 ///< doubles to allocate per field
 
-    static Layout flat(long n);
+    /// n particles and room for virtual ones.
+    static Layout flat(long n, long room);
     static Layout grid(const abi::Box& box, long reach);
 
     long rows() const { return count[1] * count[2]; }

@@ -41,6 +41,8 @@ public:
     virtual bool half_way() const { return false; }
     /// +1 or -1: how the mirror images take a component. Where a wall lies on particles, an odd component vanishes there.
     virtual int parity(Part) const { return 1; }
+    /// Rate [1/s] at which all fields go to rest at a distance [m] inside the face; applied once per step.
+    virtual double damping(double, const Medium&) const { return 0; }
     /// For Closure::layers. Once per step and component, p before u.
     virtual void fill(const GhostLayers&) const {}
 };

@@ -1,0 +1,74 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <sphonic/case.hpp>
+
+#include "tier.hpp"
+
+namespace sphonic {
+
+/// Where the last particles of a set lie along an axis [m]: on a lattice its last sites, else the face of the box.
+double end_of_set(const Case& scene, int axis, bool upper);
+/// True for a coordinate on that end.
+bool on_end(const Case& scene, int axis, bool upper, double x);
+
+/// Virtual particles behind the mirror walls of a set without structure, numbered after its n own: images of all particles
+/// within reach of a wall's plane. Axes in turn, each reflecting the images in those before it too, so that edges and
+/// corners are right. Own and virtual particles together are symmetric about every wall, as far as neighbourhoods reach.
+///
+/// A particle on a wall is its own image and has none. In the symmetric set it counts once where each other particle counts
+/// twice, so that of all sums over the set only those that stand for one side of the wall, such as the energy, give it a
+/// weight of one half. Its volume as a neighbour is whole: sum_i V f_i (sum_j V g_ij . u_j) over the symmetric set is what
+/// adjoint forms conserve, and twice (four times, with two walls ...) the same sum over the own particles i with that weight.
+/// Whoever begins on a wall stays of it while particles move.
+class MirrorParticles {
+public:
+    /// `x` by axis, of the own particles as they begin.
+    MirrorParticles(const Case& scene, const Components& components, const double* const* x, int threads);
+
+    /// True if the case has mirror walls.
+    bool needed() const { return !walls_.empty(); }
+    /// Most virtual particles with this reach [m] of a set that moves: those of one of twice the density.
+    long most(double reach) const;
+    long count() const { return long(source_.size()); }
+
+    /// Chooses the virtual particles anew.
+    void choose(const double* const* x, double reach);
+    /// Puts them where their sources' images are: x[a][n] and on.
+    void place(double* const* x) const;
+    /// Gives them their sources' values of a component, even or odd; an odd one vanishes on the wall.
+    void fill(int component, double* field) const;
+
+    /// The own particle whose image particle j is: j itself, if it is an own one.
+    long source(long j) const { return j < n_ ? j : source_[std::size_t(j - n_)]; }
+    /// -1 where image j has axis a reversed.
+    double sign(long j, int axis) const { return j < n_ || !(faces_[std::size_t(j - n_)] >> 2 * axis & 3) ? 1 : -1; }
+
+private:
+    struct Wall {
+        int axis;
+        bool upper;
+        double plane;                     ///< [m]
+        std::vector<std::int32_t> on;     ///< own particles
+        const abi::Boundary* boundary;
+
+        std::uint8_t bit() const { return std::uint8_t(1 << (2 * axis + upper)); }
+        /// Distance into the set [m].
+        double depth(double x) const { return upper ? plane - x : x - plane; }
+    };
+    const Case& scene_;
+    const Components& components_;
+    long n_;
+    int threads_;
+    std::vector<Wall> walls_;                   ///< by axis
+    std::vector<std::uint8_t> on_;              ///< of own particles: bits of the walls that they are on
+    std::vector<std::int32_t> source_;          ///< of virtual particles
+    std::vector<std::uint8_t> faces_;           ///< bits of the walls that they were reflected in
+
+    void reflect(const Wall& wall, const double* x, double reach, long images_before);
+    std::array<double, 64> signs(int component) const;
+};
+
+}    // namespace sphonic

@@ -1,0 +1,93 @@
+#include "pair_correction.hpp"
+
+#include <string>
+
+#include <sphonic/error.hpp>
+
+#include "correction.hpp"
+#include "parallel.hpp"
+
+namespace sphonic {
+
+PairCorrections::PairCorrections(const PairSet& set, int kernel) : set_(set), kernel_(kernel) {
+    for (int t = 0; t < set.threads; ++t) workers_.push_back({PairValues(set, {})});
+    const int d = set.scene.box.dimension;
+    for (int k = 0; k < d * (d + 1) / 2; ++k) entry_[k] = Array(std::size_t(set.layout.size));
+}
+
+void PairCorrections::compute(const double* inverse_rho) {
+    const long n = tiles(set_), threads = set_.threads;
+    in_parallel(set_.threads, threads, [&](long t) {
+        Worker& worker = workers_[std::size_t(t)];
+        worker.pairs.begin(nullptr, inverse_rho);
+        worker.degenerate = -1;
+        for (long k = n * t / threads; k < n * (t + 1) / threads && worker.degenerate < 0; ++k) {
+            take_tile(set_, k, worker.tile);
+            worker.pairs.start(worker.tile);
+            compute_tile(worker);
+        }
+    });
+    for (const Worker& worker : workers_)
+        if (worker.degenerate >= 0) refuse(worker.degenerate, worker.neighbours);
+    reflect();
+}
+
+void PairCorrections::compute_tile(Worker& worker) {
+    const int d = set_.scene.box.dimension;
+    const double* weight = worker.pairs.weight(kernel_);
+    worker.tile.for_rows([&](long i, int first, int last) {
+        Moment moment(d);
+        long neighbours = 0;
+        for (int k = first; k < last; ++k) {
+            double r[3] = {};
+            for (int a = 0; a < d; ++a) r[a] = worker.pairs.r(a)[k];
+            moment.add(r, weight[k]);
+            neighbours += weight[k] != 0;
+        }
+        const auto L = moment.inverse();
+        if (!L && worker.degenerate < 0) {
+            worker.degenerate = i;
+            worker.neighbours = neighbours;
+        }
+        for (int b = 0; L && b < d; ++b)
+            for (int a = 0; a <= b; ++a) entry_[at(a, b)].data()[i] = (*L)[std::size_t(3 * a + b)];
+    });
+}
+
+/// A virtual particle's matrix is its source's, reflected: L_ab changes sign with each of its axes that does.
+void PairCorrections::reflect() {
+    const long n = set_.layout.particles();
+    in_blocks(set_.threads, set_.mirrors.count(), [&](long begin, long end) {
+        for (int b = 0; b < set_.scene.box.dimension; ++b)
+            for (int a = 0; a <= b; ++a) {
+                double* L = entry_[at(a, b)].data();
+                for (long j = n + begin; j < n + end; ++j) L[j] = set_.mirrors.sign(j, a) * set_.mirrors.sign(j, b) * L[set_.mirrors.source(j)];
+            }
+    });
+}
+
+void PairCorrections::refuse(long i, long neighbours) const {
+    std::string at;
+    for (int a = 0; a < set_.scene.box.dimension; ++a) at += (a ? ", " : "") + std::to_string(set_.x[a][i]);
+    throw Error(Fault::input, set_.scene.file + ": /particles",
+                "the " + std::to_string(neighbours) + " neighbours of particle " + std::to_string(i) + " at (" + at +
+                    ") m do not determine a gradient, which a corrected form needs",
+                "Choose a larger h, or an arrangement without isolated particles");
+}
+
+void CorrectedSeparations::start(const PairSet& set, const PairCorrections& corrections, const PairTile& tile, PairValues& pairs) {
+    const int d = set.scene.box.dimension;
+    const std::int32_t* __restrict j = set.list.neighbour().data() + tile.base;
+    for (int a = 0; a < d; ++a) {
+        double *__restrict own = pairs.room(own_[a]), *__restrict other = pairs.room(other_[a]);
+        for (int b = 0; b < d; ++b) {
+            const double *__restrict L = corrections.entry(a, b), *__restrict r = pairs.r(b);
+            tile.for_rows([&](long i, int first, int last) {
+                for (int k = first; k < last; ++k) own[k] = (b ? own[k] : 0) + L[i] * r[k];
+            });
+            for (int k = 0; corrections.is_pairwise() && k < tile.n; ++k) other[k] = (b ? other[k] : 0) + L[j[k]] * r[k];
+        }
+    }
+}
+
+}    // namespace sphonic

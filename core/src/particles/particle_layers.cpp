@@ -1,0 +1,41 @@
+#include <cmath>
+
+#include "parallel.hpp"
+#include "particle_system.hpp"
+
+/// Layers along faces that damp p and u.
+namespace sphonic {
+
+void ParticleSystem::enlist_layers() {
+    const auto index = field_indices(layout());
+    for (std::size_t i = 0; i < index.size(); ++i) {
+        double rate = 0;
+        for (int a = 0; a < scene_.box.dimension; ++a)
+            for (const bool upper : {false, true}) {
+                const double distance = upper ? scene_.box.upper[a] - x_[a][i] : x_[a][i] - scene_.box.lower[a];
+                if (const abi::Boundary* face = scene_.face(a, upper)) rate += face->damping(distance, scene_.medium);
+            }
+        if (rate > 0) layers_.push_back({index[i], rate});
+    }
+}
+
+/// By the exact decay over a step, on all variables about their rest: once per step, whatever the integrator does within it.
+void ParticleSystem::damp(double dt) {
+    if (layers_.empty()) return;
+    if (damping_step_ != dt)
+        for (Damped& d : layers_) d.factor = std::exp(-d.rate * dt);
+    damping_step_ = dt;
+    const int fields = moving() ? components_.positions : components_.count;
+    for (int c = 0; c < fields; ++c) {
+        double* field = store_.array(abi::state, c);
+        const double rest = components_.rest(c);
+        in_blocks(threads_, long(layers_.size()), [&](long begin, long end) {
+            for (long i = begin; i < end; ++i) {
+                double& value = field[layers_[std::size_t(i)].at];
+                value = rest + layers_[std::size_t(i)].factor * (value - rest);
+            }
+        });
+    }
+}
+
+}    // namespace sphonic
