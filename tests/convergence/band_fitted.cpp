@@ -44,15 +44,15 @@ std::string fitted(double per_wavelength, double support) {
 
 TEST_CASE("fitted operators carry plane waves in all directions of the plane", "[band]") {
     struct Row {
-        double per_wavelength, most;
+        double per_wavelength, support, courant, most;
     };
-    for (const Row row : {Row{6, 2e-2}, Row{8, 4e-3}, Row{10, 1e-3}}) {
+    for (const Row row : {Row{6, 3, 0.7, 2e-2}, Row{8, 3, 0.7, 4e-3}, Row{10, 3, 0.7, 1e-3}, Row{6, 4, 0.5, 4e-3}, Row{8, 4, 0.5, 1.2e-3}}) {
         double worst = 0, energy = 0;
         for (int n = 0; n <= 10; ++n) {
-            const Outcome o = travel(2, {10, n, 0}, row.per_wavelength, 0.7, fitted(row.per_wavelength, 3));
+            const Outcome o = travel(2, {10, n, 0}, row.per_wavelength, row.courant, fitted(row.per_wavelength, row.support));
             worst = std::max(worst, o.l2), energy = std::max(energy, o.energy);
         }
-        INFO(row.per_wavelength << " points per wavelength: worst L2 " << worst);
+        INFO(row.per_wavelength << " points per wavelength, support " << row.support << ": worst L2 " << worst);
         CHECK(worst <= row.most);
         CHECK(energy < 1e-12);
     }
