@@ -22,7 +22,7 @@ MirrorParticles::MirrorParticles(const Case& scene, const Components& components
     for (int a = 0; a < scene.box.dimension; ++a)
         for (const bool upper : {false, true}) {
             if (scene.closure(a, upper) != abi::Closure::mirror) continue;
-            Wall wall{a, upper, end_of_set(scene, a, upper), {}, scene.face(a, upper)};
+            Wall wall{a, upper, end_of_set(scene, a, upper), scene.face(a, upper), {}};
             on_.resize(std::size_t(n_));
             if (wall.boundary->half_way()) {
                 wall.plane += (upper ? 0.5 : -0.5) * scene.box.dx;
@@ -35,6 +35,7 @@ MirrorParticles::MirrorParticles(const Case& scene, const Components& components
             }
             walls_.push_back(std::move(wall));
         }
+    find_signs(components.positions < 0 ? components.count : components.positions);
 }
 
 long MirrorParticles::most(double reach) const {
@@ -88,22 +89,23 @@ void MirrorParticles::place(double* const* x) const {
     }
 }
 
-/// By the bits of the walls that an image was reflected in.
-std::array<double, 64> MirrorParticles::signs(int component) const {
-    std::array<double, 64> sign;
-    sign.fill(1);
-    for (const Wall& wall : walls_)
-        for (std::size_t faces = 0; faces < sign.size(); ++faces)
-            if (faces & wall.bit()) sign[faces] *= wall.boundary->parity(components_.part(component, wall.axis));
-    return sign;
+void MirrorParticles::find_signs(int components) {
+    signs_.assign(std::size_t(components), {});
+    for (int c = 0; c < components; ++c) {
+        auto& sign = signs_[std::size_t(c)];
+        sign.fill(1);
+        for (const Wall& wall : walls_)
+            for (std::size_t faces = 0; faces < sign.size(); ++faces)
+                if (faces & wall.bit()) sign[faces] *= parity(wall, c);
+    }
 }
 
 void MirrorParticles::fill(int component, double* field) const {
     const double rest = components_.rest(component);
     for (const Wall& wall : walls_)
-        if (wall.boundary->parity(components_.part(component, wall.axis)) < 0)
+        if (parity(wall, component) < 0)
             for (const std::int32_t i : wall.on) field[i] = rest;
-    const auto sign = signs(component);
+    const auto& sign = signs_[std::size_t(component)];
     in_blocks(threads_, count(), [&](long begin, long end) {
         for (long v = begin; v < end; ++v)
             field[n_ + v] = rest + sign[faces_[std::size_t(v)]] * (field[source_[std::size_t(v)]] - rest);

@@ -50,9 +50,9 @@ private:
     struct Wall {
         int axis;
         bool upper;
-        double plane;                     ///< [m]
-        std::vector<std::int32_t> on;     ///< own particles
+        double plane;                    ///< [m]
         const abi::Boundary* boundary;
+        std::vector<std::int32_t> on;    ///< own particles
 
         std::uint8_t bit() const { return std::uint8_t(1 << (2 * axis + upper)); }
         /// Distance into the set [m].
@@ -62,13 +62,15 @@ private:
     const Components& components_;
     long n_;
     int threads_;
-    std::vector<Wall> walls_;                   ///< by axis
-    std::vector<std::uint8_t> on_;              ///< of own particles: bits of the walls that they are on
-    std::vector<std::int32_t> source_;          ///< of virtual particles
-    std::vector<std::uint8_t> faces_;           ///< bits of the walls that they were reflected in
+    std::vector<Wall> walls_;             ///< by axis
+    std::vector<std::uint8_t> on_;        ///< of own particles: bits of the walls that they are on
+    std::vector<std::int32_t> source_;    ///< of virtual particles
+    std::vector<std::uint8_t> faces_;     ///< bits of the walls that they were reflected in
+    std::vector<std::array<double, 64>> signs_;    ///< [component][bits]
 
     void reflect(const Wall& wall, const double* x, double reach, long images_before);
-    std::array<double, 64> signs(int component) const;
+    void find_signs(int components);
+    double parity(const Wall& wall, int component) const { return wall.boundary->parity(components_.part(component, wall.axis)); }
 };
 
 }    // namespace sphonic

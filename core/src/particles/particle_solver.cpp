@@ -72,9 +72,8 @@ private:
     static StepLimit limit(const Case& scene, ParticleSystem& system) {
         StepLimit limit = step_limit(scene);
         if (scene.regular()) return limit;
-        constexpr int iterations = 150;
-        constexpr double margin = 0.98;    // power iteration approaches the largest frequency from below
-        const double frequency = system.largest_frequency(iterations);
+        constexpr double margin = 0.98;    // the largest frequency is approached from below
+        const double frequency = system.largest_frequency();
         limit.dt *= margin * limit.frequency / frequency;
         limit.frequency = frequency;
         return limit;

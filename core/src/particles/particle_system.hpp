@@ -44,9 +44,9 @@ public:
     /// To be called after every step.
     void close_step(double dt);
     const EnergyBudget& budget() const { return budget_; }
-    /// Largest |eigenvalue| of the assembled, linearised operator [1/s] by power iteration on its square, from below.
-    /// For sets with a neighbour list; leaves the fields zero.
-    double largest_frequency(int iterations);
+    /// Largest |eigenvalue| of the assembled, linearised operator [1/s], from below. For sets with a neighbour list; leaves the
+    /// fields zero.
+    double largest_frequency();
     /// The rate of one variable's component 0 ... into a named slot, without changing the state.
     void rate_of(int variable, double t, abi::Slot out);
 
@@ -101,6 +101,9 @@ private:
     void set_scalar(int variable, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value);
     void put(const std::vector<std::ptrdiff_t>& at, const std::vector<double>& value, int component);
     double bulk_modulus() const;
+    class Spectrum;    ///< in particle_spectrum.cpp
+    static double lanczos(Spectrum& spectrum, abi::Slot v, abi::Slot w, abi::Slot before);
+    static double power(Spectrum& spectrum, abi::Slot v, abi::Slot w);
     void enlist_layers();
     void damp(double dt);
     void set_initial_fields();
