@@ -24,7 +24,7 @@ void print_summary(const Summary& s, const std::filesystem::path& folder) {
     if (s.errors)
         std::printf("  error at t = %g s over %ld particles: L2 %.4g, rms %.4g P, eps %.4ge-4, largest %.4g Pa\n", s.t, s.errors->n,
                     s.errors->l2, s.errors->rms, 1e4 * s.errors->eps, s.errors->max);
-    std::printf("  %.3g s of CPU, %.3g ns per particle-step\n", s.cpu_s,
+    std::printf("  %.3g s of CPU on %d %s, %.3g ns per particle-step\n", s.cpu_s, s.threads, s.threads == 1 ? "thread" : "threads",
                 s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0.0);
     if (s.diverged) std::printf("  DIVERGED %s\n", s.diverged_how.c_str());
     std::printf("  results in %s\n", folder.string().c_str());

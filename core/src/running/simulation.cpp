@@ -39,7 +39,7 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
     solver_ = scene.method->discretise(SceneView(scene).scene);
     summary_.title = scene.title;
     summary_.method = scene.method_name;
-    summary_.integrator = scene.integrator_name;
+    summary_.integrator = scene.method->meshfree() ? scene.integrator_name : "its own integrator";
     summary_.warnings = scene.warnings;
     fix_step();
     try {
