@@ -44,6 +44,11 @@ inline std::string forms(const std::string& divergence, const std::string& gradi
            gradient + R"(","times":"-1/rho0"}]})";
 }
 
+/// Corrected forms in volumes of the current density.
+inline const std::string current_density = R"(/equations={
+    "drho":[{"divergence":"u","form":"corrected","times":"-rho"}],"rho":{"state":"total_density","of":"drho"},
+    "p":{"state":"acoustic","of":"drho"},"u":[{"gradient":"p","form":"corrected_adjoint","times":"-1/rho"}]})";
+
 /// A boundary for a setting of /boundaries.
 inline std::string face(const std::string& name, const std::string& type, const std::string& place = "") {
     return R"({"face":")" + name + R"(","type":")" + type + (place.empty() ? "" : R"(","wall":")" + place) + "\"}";

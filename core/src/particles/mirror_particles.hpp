@@ -18,11 +18,12 @@ bool on_end(const Case& scene, int axis, bool upper, double x);
 /// within reach of a wall's plane. Axes in turn, each reflecting the images in those before it too, so that edges and
 /// corners are right. Own and virtual particles together are symmetric about every wall, as far as neighbourhoods reach.
 ///
-/// A particle on a wall is its own image and has none. In the symmetric set it counts once where each other particle counts
-/// twice, so that of all sums over the set only those that stand for one side of the wall, such as the energy, give it a
-/// weight of one half. Its volume as a neighbour is whole: sum_i V f_i (sum_j V g_ij . u_j) over the symmetric set is what
-/// adjoint forms conserve, and twice (four times, with two walls ...) the same sum over the own particles i with that weight.
-/// Whoever begins on a wall stays of it while particles move.
+/// A particle on a wall is its own image. With V the volume of every particle of the symmetric set, wall or not, adjoint forms
+/// G and D obey the usual identity, sum_i V [u_i . (G p)_i + p_i (D u)_i] = 0 over that set, for fields of the walls' parity. Every
+/// orbit of images gives 2^w equal terms, w the number of walls about, but for a particle on m of them only 2^(w - m): divided by
+/// 2^w, this is the sum over own particles with the weight 2^-m. So a wall halves a particle's share of the energy, not its
+/// volume as a neighbour. An odd component on the wall has the rate zero by symmetry; setting it to rest takes no energy.
+/// A particle that begins on a wall remains its own image while particles move.
 class MirrorParticles {
 public:
     /// `x` by axis, of the own particles as they begin.

@@ -33,14 +33,22 @@ void PairCorrections::compute(const double* inverse_rho) {
 }
 
 void PairCorrections::compute_tile(Worker& worker) {
-    const int d = set_.scene.box.dimension;
+    switch (set_.scene.box.dimension) {
+        case 1: return compute_in<1>(worker);
+        case 2: return compute_in<2>(worker);
+        default: return compute_in<3>(worker);
+    }
+}
+
+template <int D>
+void PairCorrections::compute_in(Worker& worker) {
     const double* weight = worker.pairs.weight(kernel_);
     worker.tile.for_rows([&](long i, int first, int last) {
-        Moment moment(d);
+        Moment moment(D);
         long neighbours = 0;
         for (int k = first; k < last; ++k) {
             double r[3] = {};
-            for (int a = 0; a < d; ++a) r[a] = worker.pairs.r(a)[k];
+            for (int a = 0; a < D; ++a) r[a] = worker.pairs.r(a)[k];
             moment.add(r, weight[k]);
             neighbours += weight[k] != 0;
         }
@@ -49,7 +57,7 @@ void PairCorrections::compute_tile(Worker& worker) {
             worker.degenerate = i;
             worker.neighbours = neighbours;
         }
-        for (int b = 0; L && b < d; ++b)
+        for (int b = 0; L && b < D; ++b)
             for (int a = 0; a <= b; ++a) entry_[at(a, b)].data()[i] = (*L)[std::size_t(3 * a + b)];
     });
 }

@@ -33,6 +33,8 @@ private:
 
     static std::size_t at(int a, int b) { return std::size_t(b * (b + 1) / 2 + a); }
     void compute_tile(Worker& worker);
+    template <int D>
+    void compute_in(Worker& worker);
     void reflect();
     [[noreturn]] void refuse(long i, long neighbours) const;
 };
