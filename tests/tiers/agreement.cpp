@@ -61,8 +61,11 @@ TEST_CASE("the adjoint pair conserves its energy on a disordered set too", "[ene
 }
 
 TEST_CASE("the computed limit of a disordered set holds: stable below it and lost beyond", "[energy]") {
-    const auto at = [](double fraction) {
-        const std::vector<std::string> set{"/particles/jitter=0.2", "/kernel/h_over_dx=1.3", "/initial/p=cos(1000*x)"};
+    const std::string face = GENERATE(as<std::string>(), "periodic", "rigid", "soft");
+    INFO(face);
+    const auto at = [&](double fraction) {
+        const std::vector<std::string> set{"/particles/jitter=0.2", "/kernel/h_over_dx=1.3", "/initial/p=cos(1000*x)*sin(777*y)",
+                                           "/boundaries=[{\"type\":\"" + face + "\",\"face\":\"all\"}]"};
         const Case probe = scene(periodic_box(2, 21), set);
         auto all = set;
         all.insert(all.end(), {"/integrator={\"type\":\"symplectic_euler\",\"unstable\":\"allow\",\"dt\":" +
