@@ -29,9 +29,15 @@ abi::Value vector_of(int d, const double* x) {
     return {.type = abi::ParameterType::vector, .vector = {x[0], d > 1 ? x[1] : 0, d > 2 ? x[2] : 0}, .size = d};
 }
 
+/// What a wave is before: a wall normal to `axis` at `wall_at`.
+struct WallOf {
+    const char* type = "rigid";
+    int axis = 0;
+};
+
 /// Not prepared; vectors have d components.
-std::unique_ptr<abi::Reference> created(const std::string& name, int d) {
-    const double k[3] = {2.1, -1.3, 0.7};
+std::unique_ptr<abi::Reference> created(const std::string& name, int d, const WallOf& wall = {}, const std::vector<double>& k = {2.1, -1.3, 0.7}) {
+    constexpr const char* axes[] = {"x", "y", "z"};
     const Plugin& plugin = registry().find("reference", name, "contract");
     std::vector<abi::Value> values;
     for (const auto& row : plugin.parameters) {
@@ -40,28 +46,17 @@ std::unique_ptr<abi::Reference> created(const std::string& name, int d) {
         if (key == "amplitude") values.back().real = amplitude;
         if (key == "phase") values.back().real = 0.4;
         if (key == "width") values.back().real = width;
-        if (key == "wave_number") values.back() = vector_of(d, k);
+        if (key == "position") values.back().real = wall_at;
+        if (key == "wall") values.back().text = wall.type;
+        if (key == "axis") values.back().text = axes[wall.axis];
+        if (key == "wave_number") values.back() = vector_of(d, k.data());
         if (key == "centre") values.back() = vector_of(d, centre);
     }
     return registry().create<abi::Reference>(plugin, values);
 }
 
-/// A wave before a wall, normal to `axis` at 0.7 m.
 std::unique_ptr<abi::Reference> walled(const char* wall, int d, int axis, const std::vector<double>& k = {2.1, -1.3, 0.7}) {
-    constexpr const char* names[] = {"x", "y", "z"};
-    const Plugin& plugin = registry().find("reference", "reflected_wave", "contract");
-    std::vector<abi::Value> values;
-    for (const auto& row : plugin.parameters) {
-        values.push_back(row.initial);
-        const std::string key = row.name;
-        if (key == "amplitude") values.back().real = amplitude;
-        if (key == "phase") values.back().real = 0.4;
-        if (key == "position") values.back().real = wall_at;
-        if (key == "wall") values.back().text = wall;
-        if (key == "axis") values.back().text = names[axis];
-        if (key == "wave_number") values.back() = vector_of(d, k.data());
-    }
-    return registry().create<abi::Reference>(plugin, values);
+    return created("reflected_wave", d, {wall, axis}, k);
 }
 
 std::unique_ptr<abi::Reference> prepared(const std::string& name, int d) {

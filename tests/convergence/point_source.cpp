@@ -1,8 +1,6 @@
 /// The point source against the field of an exact monopole: amplitude, silence of the sawtooth, and the shape of pulses.
-#include <array>
-#include <complex>
-
 #include "../support/scene.hpp"
+#include "../support/waves.hpp"
 
 #include <sphonic/stability.hpp>
 
@@ -23,24 +21,19 @@ std::string line(double dx, const std::string& source) {
         "integrator": {"type": "leapfrog", "courant": 0.5}, "until": 0.055})";
 }
 
-/// Amplitudes of exp(i k x) for two wave numbers and their opposites in p over lower <= x <= upper, by least squares.
+/// Amplitudes in p over lower <= x <= upper of the waves of two wave numbers, each with its opposite.
 std::pair<double, double> amplitudes(const Profile& now, double lower, double upper, double k, double other) {
-    std::array<std::array<double, 5>, 4> system{};
+    std::vector<Complex> p;
+    std::vector<std::vector<Complex>> waves(4);
     for (std::size_t i = 0; i < now.p.size(); ++i) {
         const double x = now.x[0][i];
         if (x < lower || x > upper) continue;
-        const double row[5] = {std::cos(k * x), std::sin(k * x), std::cos(other * x), std::sin(other * x), now.p[i]};
-        for (std::size_t r = 0; r < 4; ++r)
-            for (std::size_t c = 0; c < 5; ++c) system[r][c] += row[r] * row[c];
+        p.push_back(now.p[i]);
+        waves[0].push_back(std::cos(k * x)), waves[1].push_back(std::sin(k * x));
+        waves[2].push_back(std::cos(other * x)), waves[3].push_back(std::sin(other * x));
     }
-    for (std::size_t r = 0; r < 4; ++r)
-        for (std::size_t other_row = 0; other_row < 4; ++other_row) {
-            if (other_row == r) continue;
-            const double factor = system[other_row][r] / system[r][r];
-            for (std::size_t c = 0; c < 5; ++c) system[other_row][c] -= factor * system[r][c];
-        }
-    const auto solved = [&](std::size_t r) { return system[r][4] / system[r][r]; };
-    return {std::hypot(solved(0), solved(1)), std::hypot(solved(2), solved(3))};
+    const auto a = fitted(p, waves).amplitude;
+    return {std::hypot(a[0].real(), a[1].real()), std::hypot(a[2].real(), a[3].real())};
 }
 
 struct Tone {

@@ -33,12 +33,7 @@ struct Left {
 /// The wave that the set gives the frequency, between two wave numbers on either side.
 double wave_number(const Case& c, double dt, double lower, double upper) {
     const double along[3] = {1, 0, 0};
-    const auto excess = [&](double k) { return 2 / dt * std::sin(omega * dt / 2) - c0 * dispersion(c, k, along); };
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (lower + upper);
-        ((excess(middle) > 0) == (excess(lower) > 0) ? lower : upper) = middle;
-    }
-    return lower;
+    return root_between(lower, upper, [&](double k) { return 2 / dt * std::sin(omega * dt / 2) - c0 * dispersion(c, k, along); });
 }
 
 Left left_by_mur(double per_wavelength) {

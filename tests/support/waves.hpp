@@ -10,6 +10,17 @@ namespace sphonic::testing {
 
 using Complex = std::complex<double>;
 
+/// Where f changes sign between two arguments, by bisection.
+template <class F>
+double root_between(double lower, double upper, F f) {
+    const bool sign = f(lower) > 0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (lower + upper);
+        ((f(middle) > 0) == sign ? lower : upper) = middle;
+    }
+    return lower;
+}
+
 /// Amplitudes of waves that add up to f with the least rest, and the rest's root mean square.
 struct Waves {
     std::vector<Complex> amplitude;
