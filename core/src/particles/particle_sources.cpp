@@ -34,7 +34,7 @@ void ParticleSystem::set_scalar(int v, const std::vector<std::ptrdiff_t>& at, st
 double ParticleSystem::bulk_modulus() const { return scene_.medium.rho0 * scene_.medium.c0 * scene_.medium.c0; }
 
 void ParticleSystem::add_sources(const Part& part, double t, abi::Slot out, double scale) {
-    const auto [evolved, slope] = scene_.behind(pressure_);
+    const auto [evolved, slope] = of_pressure_;
     const bool pressure = part.has(evolved), velocity = part.has(velocity_);
     if (!pressure && !velocity) return;
     double energy = 0;

@@ -43,7 +43,7 @@ std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& component
 
 ParticleSystem::ParticleSystem(const Case& scene)
     : scene_(scene), components_(scene),
-      threads_(threads_for(scene)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), budget_(scene.box, scene.medium) {
+      threads_(threads_for(scene)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.medium) {
     place_particles();
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
     tier_ = choose_tier(scene, components_, x);
@@ -53,6 +53,7 @@ ParticleSystem::ParticleSystem(const Case& scene)
     order_algebraic();
     make_parts();
     for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, layout(), x);
+    for (const SourceMembers& source : sources_) supplied_ = supplied_ || source.action.adds;
     enlist_layers();
 }
 
@@ -105,7 +106,7 @@ void ParticleSystem::evaluate_terms(Part& part, abi::Slot out, double scale, boo
 
 void ParticleSystem::evaluate(Part& part, double t, abi::Slot out, double scale, bool assign) {
     evaluate_terms(part, out, scale, assign);
-    if (!part.variables.empty()) add_sources(part, t, out, scale);
+    if (supplied_ && !part.variables.empty()) add_sources(part, t, out, scale);
     if (part.positions) move(out, scale, assign);
 }
 
@@ -171,9 +172,8 @@ void ParticleSystem::settle(abi::Group group, double t) {
         for (int a = 0; a < scene_.box.dimension; ++a) x[a] = field(components_.positions + a);
         tier_->moved(x);
     }
-    const int p = evolved_behind(pressure_);
     for (SourceMembers& source : sources_)
-        impose(source, t, source.action.sets_pressure && changed.has(p), source.action.sets_velocity && changed.has(velocity_));
+        impose(source, t, source.action.sets_pressure && changed.has(of_pressure_.variable), source.action.sets_velocity && changed.has(velocity_));
     refresh_algebraic(changed, t);
     const double* p_field = field(components_.first[std::size_t(pressure_)]);
     for (const int c : changed.components) tier_->fill_ghosts(c, store_.array(abi::state, c), p_field, t);

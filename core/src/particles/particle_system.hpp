@@ -80,6 +80,8 @@ private:
     double damping_step_ = 0;    ///< that the factors are for [s]
     double supply_ = 0;    ///< energy of the largest rate that sources added within a step
     int pressure_, velocity_;       ///< the variables p and u
+    Case::Behind of_pressure_;      ///< what p is computed from
+    bool supplied_ = false;         ///< a source adds to rates
     EnergyBudget budget_;
     std::vector<int> algebraic_;    ///< in order of evaluation
     std::vector<const double*> state_arrays_;
