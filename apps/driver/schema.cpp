@@ -23,6 +23,16 @@ Json output_schema() {
     return closed(members);
 }
 
+/// One medium, or a list whose first fills the box.
+Json medium_schema() {
+    Json whole = rows_of("medium");
+    whole.erase("region");
+    Json list = list_of(closed(rows_of("medium"), {"c0", "rho0", "region"}));
+    list["prefixItems"] = Json::array({closed(whole, {"c0", "rho0"})});
+    list["minItems"] = 1;
+    return object({{"anyOf", Json::array({closed(whole, {"c0", "rho0"}), list})}});
+}
+
 Json initial_schema() {
     const Json vector = with(with(list_of(string), "minItems", 1), "maxItems", 3);
     return object({{"type", "object"},
@@ -38,7 +48,7 @@ Json case_members() {
         {"$schema", described(string, "where editors find this schema")},
         {"title", with(described(string, "the file's name if not given"), "minLength", 1)},
         {"dimension", object({{"enum", {1, 2, 3}}})},
-        {"medium", closed(rows_of("medium"), {"c0", "rho0"})},
+        {"medium", medium_schema()},
         {"method", reference("method")},
         {"particles", reference("arrangement")},
         {"boundaries", list_of(reference("boundary"))},

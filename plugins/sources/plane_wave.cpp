@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-/// p = amplitude sin(omega t - k . (x - phase_origin)), k = omega/c0 along `direction`; u = direction p / (rho0 c0).
+/// p = amplitude sin(omega t - k . (x - phase_origin)), k = omega/c0 along `direction`; u = direction p / (rho0 c0), with c0 and
+/// rho0 at phase_origin.
 /// p (and what it is computed from) is imposed at every step, u at the start only.
 struct PlaneWaveSource final : abi::Source {
     double amplitude = 1, omega = 0;
@@ -37,8 +38,9 @@ struct PlaneWaveSource final : abi::Source {
             emitted.direction[a] = direction.v[a] / length;
             emitted.origin[a] = phase_origin.v[a];
         }
-        wave_number = omega / scene.medium.c0;
-        impedance = scene.medium.rho0 * scene.medium.c0;
+        const abi::Medium medium = scene.media.at(dimension, emitted.origin, scene.medium);
+        wave_number = omega / medium.c0;
+        impedance = medium.rho0 * medium.c0;
     }
 
     void evaluate(double t, const abi::Points& points, const abi::AcousticField& out) const override {

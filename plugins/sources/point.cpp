@@ -36,6 +36,7 @@ struct PointSource final : abi::Source {
         scene = given;
         if (position.size != 0 && position.size != scene.dimension)
             throw std::invalid_argument("position needs one component per dimension");
+        scene.medium = scene.media.at(scene.dimension, position.v, scene.medium);
         a = width_over_dx * scene.box.dx;
         const bool sine = signal == "sine";
         if (sine ? omega == 0 : duration == 0)

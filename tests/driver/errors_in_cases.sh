@@ -20,10 +20,14 @@ refused 2 'case.json: /particles/velocity: "p" is no vector of the equations. Na
 refused 2 'case.json: /$schema: 3 is not a string. Give a string' --set '/$schema=3'
 
 echo "--- types"
-for key in viscosity kernel kernels reference initial output medium particles integrator method; do
+for key in viscosity kernel kernels reference initial output particles integrator method; do
     refused 2 "case.json: /$key: [] is not an object. Write { ... } here" --set "/$key=[]"
     refused 2 "case.json: /$key: null is not an object. Write { ... } here" --set "/$key=null"
 done
+refused 2 'case.json: /medium: null is not an object. Write { ... } here' --set /medium=null
+refused 2 'case.json: /medium: the list is empty. Give { "c0": sound speed [m/s], "rho0": density [kg/m^3] }' --set '/medium=[]'
+refused 2 'case.json: /medium/1/region: is missing. Give a condition on x, y, z, r: the first medium fills the box, the others their regions' --set '/medium=[{"c0":340,"rho0":1},{"c0":340,"rho0":1}]'
+refused 2 'case.json: /medium/0/region: unknown key "region". Known here: c0, rho0' --set '/medium=[{"c0":340,"rho0":1,"region":"x > 0"}]'
 refused 2 'case.json: /equations: [] is not an object. Write { ... } here' --set '/equations=[]'
 refused 2 'case.json: /provenance: 3 is not an object. Leave it out' --set /provenance=3
 refused 2 'case.json: /sources: {} is not a list. Write [ { "type": ... } ]' --set '/sources={}'

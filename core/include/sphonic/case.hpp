@@ -10,6 +10,7 @@
 #include <sphonic/equations.hpp>
 #include <sphonic/expression.hpp>
 #include <sphonic/json_fwd.hpp>
+#include <sphonic/media_map.hpp>
 #include <sphonic/plugin/abi/arrangement.hpp>
 #include <sphonic/plugin/abi/boundary.hpp>
 #include <sphonic/plugin/abi/integrator.hpp>
@@ -63,7 +64,8 @@ struct Output {
 struct Case {
     std::string file, title;
     int threads = 0;    ///< of a run, whose results do not depend on it; 0: as many as the set is worth
-    abi::Medium medium;
+    abi::Medium medium;                        ///< number 0 of `media`
+    std::shared_ptr<const MediaMap> media;
     abi::Box box;
     std::unique_ptr<abi::Arrangement> arrangement;
     double jitter = 0;    ///< in units of dx

@@ -15,12 +15,44 @@ namespace fs = std::filesystem;
 namespace sphonic {
 namespace {
 
-void read_medium(Case& scene, Section& root) {
-    Section medium = root.child("medium", "Give { \"c0\": sound speed [m/s], \"rho0\": density [kg/m^3] }");
-    scene.medium.c0 = medium.real(common_key("medium", "c0"));
-    scene.medium.rho0 = medium.real(common_key("medium", "rho0"));
-    medium.finish();
-    root.resolved["medium"] = medium.resolved;
+abi::Medium read_medium(Section& section) {
+    abi::Medium medium;
+    medium.c0 = section.real(common_key("medium", "c0"));
+    medium.rho0 = section.real(common_key("medium", "rho0"));
+    return medium;
+}
+
+/// One medium, or a list: the first fills the box, the others their regions.
+void read_media(Case& scene, Section& root) {
+    const std::string remedy = "Give { \"c0\": sound speed [m/s], \"rho0\": density [kg/m^3] }";
+    const Json& given = root.need("medium", remedy);
+    if (!given.is_array()) {
+        Section section = root.child("medium", remedy);
+        scene.medium = read_medium(section);
+        section.finish();
+        root.resolved["medium"] = section.resolved;
+        scene.media = std::make_shared<MediaMap>(scene.medium);
+        return;
+    }
+    if (given.empty()) root.fail("medium", "the list is empty", remedy);
+    Json resolved = Json::array();
+    std::shared_ptr<MediaMap> media;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        Section section(given[i], root.file(), "/medium/" + std::to_string(i));
+        const abi::Medium medium = read_medium(section);
+        if (i == 0) {
+            scene.medium = medium;
+            media = std::make_shared<MediaMap>(medium);
+        } else {
+            const std::string text = section.read(common_key("medium", "region")).text;
+            if (text.empty()) section.fail("region", "is missing", "Give a condition on x, y, z, r: the first medium fills the box, the others their regions");
+            media->add(medium, Region(text, constants(scene), scene.box.dimension, section.place("region")));
+        }
+        section.finish();
+        resolved.push_back(section.resolved);
+    }
+    root.resolved["medium"] = resolved;
+    scene.media = media;
 }
 
 void read_dimension(Case& scene, Section& root) {
@@ -169,9 +201,9 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     pass_over_schema(root);
     read_title(scene, root);
     read_dimension(scene, root);
-    read_medium(scene, root);
     read_method(scene, root, registry);
     read_space(scene, root, registry);
+    read_media(scene, root);
     read_kernels(scene, root, registry);
     read_equations(scene, root, registry);
     read_reference(scene, root, registry);

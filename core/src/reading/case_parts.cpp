@@ -83,7 +83,9 @@ void prepare_reference(Case& scene, const Section& root) {
     for (const SourceUse& source : scene.sources)
         if (const abi::PlaneWave* wave = source.source->wave()) waves.push_back(*wave);
     prepared(root.place("reference"),
-             [&] { scene.reference->reference->prepare({scene.box.dimension, scene.medium, waves.data(), int(waves.size())}); });
+             [&] { scene.reference->reference->prepare({scene.box.dimension, scene.medium, scene.media->view(), waves.data(), int(waves.size())}); });
+    if (scene.media->several() && !scene.reference->reference->several_media())
+        scene.warnings.push_back(root.place("reference") + ": it knows of one medium, the first of the list");
 }
 
 void read_sources(Case& scene, Section& root, Registry& registry) {
@@ -95,7 +97,7 @@ void read_sources(Case& scene, Section& root, Registry& registry) {
         Section section((*list)[i], root.file(), "/sources/" + std::to_string(i));
         SourceUse use{.source = read_plugin<abi::Source>(scene, section, registry), .region = {}, .place = section.place()};
         prepared(use.place, [&] {
-            use.source->prepare({scene.box.dimension, scene.medium, scene.box, scene.reference ? scene.reference->reference.get() : nullptr});
+            use.source->prepare({scene.box.dimension, scene.medium, scene.media->view(), scene.box, scene.reference ? scene.reference->reference.get() : nullptr});
         });
         obey_key_rules(section, "source", scene, use.source->action().sets());
         if (section.has("region"))

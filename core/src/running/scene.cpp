@@ -10,7 +10,7 @@ SceneView::SceneView(const Case& c) {
     };
     const auto nothing = [](const void* host) { static_cast<const SourceUse*>(host)->reaches_nothing(); };
     for (const SourceUse& use : c.sources) sources.push_back({use.source.get(), inside, nothing, &use});
-    scene = {.box = c.box, .medium = c.medium, .until = c.until, .sources = sources.data(), .source_count = int(sources.size())};
+    scene = {.box = c.box, .medium = c.medium, .media = c.media->view(), .until = c.until, .sources = sources.data(), .source_count = int(sources.size())};
     scene.initial = [](const void* host, const char* field, int axis, const abi::Points& points, double* out) {
         return static_cast<const Case*>(host)->initial_values(field, axis, points, out);
     };

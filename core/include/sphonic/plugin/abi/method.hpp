@@ -51,7 +51,8 @@ struct PlacedSource {
 /// The scene as a method sees it.
 struct Scene {
     Box box;
-    Medium medium;
+    Medium medium;    ///< number 0 of `media`
+    Media media;
     double until = 0;    ///< [s]
     int threads = 1;     ///< that a method may use
     const PlacedSource* sources = nullptr;

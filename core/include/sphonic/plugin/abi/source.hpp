@@ -18,7 +18,8 @@ struct Action {
 /// What a source may know of the scene.
 struct SourceScene {
     int dimension = 1;
-    Medium medium;
+    Medium medium;    ///< number 0 of `media`
+    Media media;
     Box box;
     const Reference* reference = nullptr;    ///< of the case, ready by the first `evaluate`; null if it has none
 };
