@@ -35,7 +35,7 @@ int check(const RunOptions& options) {
         std::cout << json_text(check_json(s, p));
         return 0;
     }
-    const double courant = scene.medium.c0 / scene.box.dx;
+    const double courant = scene.media->fastest().c0 / scene.box.dx;
     std::printf("%s: the case is sound\n", s.title.c_str());
     std::printf("  %ld particles, %s tier, %.1f neighbours, %ld steps\n", s.particles, s.tier.c_str(), s.neighbours_mean, s.steps);
     std::printf("  step %.4g s (c0 dt/dx = %.4g), %s %.4g s (c0 dt/dx = %.4g)\n", s.dt, s.dt * courant,

@@ -30,7 +30,7 @@ Json equations_schema(const Plugins& plugins) {
         Json members = object({{key, variable}, {"form", reference("form")}});
         members.update(kernel);
         members["times"] = described(with(string, "default", "1"), "a product of constants and powers of variables");
-        return closed(members, {key, "form"});
+        return closed(members, {key});
     };
     const auto rates = [](const Json& of) { return with(list_of(of), "minItems", 1); };
     const Json of_vector =

@@ -154,9 +154,11 @@ struct BandFitted {
         return std::array{real("points_per_wavelength", &B::points_per_wavelength, "1", 3, 100, "of the shortest wave to carry well"),
                           real("support", &B::support, "dx", 1, 6, "radius of the neighbourhood")};
     }
-    static constexpr bool uniform = true;
-    static constexpr double own(PairSide, PairSide) { return -1; }
-    static constexpr double other(PairSide, PairSide) { return 1; }
+    /// Between two media as in the impedance form.
+    static constexpr double other(PairSide i, PairSide j, abi::Derivative derivative) {
+        return 2 * (derivative == abi::Derivative::gradient ? i.impedance : j.impedance) / (i.impedance + j.impedance);
+    }
+    static constexpr double own(PairSide i, PairSide j, abi::Derivative derivative) { return -other(i, j, derivative); }
     double reach() const { return support; }
 
     void fit(const abi::LatticeFit& lattice, double* weight) const {

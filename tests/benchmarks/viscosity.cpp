@@ -18,7 +18,8 @@ constexpr int particles = 2500;
 struct Line {
     Case scene = lattice(1, particles, 3.25, {monaghan});
     Components components{scene};
-    LatticeGrid grid{scene, Layout::grid(scene.box, 6)};
+    ParticleMedia media{scene, 0, nullptr};
+    LatticeGrid grid{scene, media, 6};
     std::vector<Array> fields;
     std::vector<const double*> state;
     std::vector<double*> out;
@@ -26,7 +27,6 @@ struct Line {
     int velocity;
 
     Line() {
-        grid.neighbours.push_back(lattice_neighbours(scene.box, scene.kernels[0]));
         velocity = components.first[std::size_t(scene.equations.find("u"))];
         result = Array(std::size_t(grid.layout.size));
         out.assign(std::size_t(components.count), result.data());

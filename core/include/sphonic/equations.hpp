@@ -32,7 +32,7 @@ struct LatticeWeights {
     std::vector<double> weight;
 };
 
-/// One rate term: coefficient * (product of factors) * operator.
+/// One rate term: coefficient of the medium * (product of factors) * operator.
 struct Term {
     enum class Operator { divergence, gradient, viscosity } op;
     int operand = -1;                            ///< variable the operator acts on (the velocity, for viscosity)
@@ -40,9 +40,9 @@ struct Term {
     std::string form_text{};                       ///< as the case gives it: equal texts are equal forms
     std::unique_ptr<abi::Viscosity> viscosity{};
     int kernel = 0;                              ///< index into the kernels of the case
-    double coefficient = 1;
+    std::vector<double> coefficient{1};          ///< by medium
     std::vector<Factor> factors{};
-    std::shared_ptr<const LatticeWeights> fitted{};    ///< where the form has weights of its own
+    std::vector<std::shared_ptr<const LatticeWeights>> fitted{};    ///< by medium, where the form has weights of its own
 };
 
 /// A variable of the equations: evolved by a sum of terms, or algebraic in another variable.

@@ -26,6 +26,6 @@ Prediction predict(const Case& scene, const Summary& prepared);
 struct TravellingMode {
     double omega, decay;
 };
-TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity);
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity, int medium = 0);
 
 }    // namespace sphonic

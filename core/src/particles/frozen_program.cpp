@@ -12,11 +12,13 @@ namespace {
 class FrozenDerivative {
 public:
     FrozenDerivative(const PairSet& set, FrozenWeightStore& weights, const Term& term, std::vector<int> target, bool first)
-        : set_(set), weights_(weights.of(term.kernel, term.form->correction())), gradient_(term.op == Term::Operator::gradient),
-          first_(first), target_(std::move(target)), factors_(term.factors) {
-        const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set.scene.medium);
-        own_ = term.coefficient * c.own;
-        other_ = term.coefficient * c.other;
+        : set_(set), weights_(weights.of(term)), gradient_(term.op == Term::Operator::gradient),
+          first_(first), target_(std::move(target)), factors_(term.factors), coefficient_(term.coefficient) {
+        if (!weights.holds_coefficients(term)) {
+            const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set.scene.medium, set.scene.medium);
+            own_ = c.own;
+            other_ = c.other;
+        }
         operand_ = set.components.first[std::size_t(term.operand)];
     }
 
@@ -34,14 +36,15 @@ private:
     bool gradient_, first_;
     std::vector<int> target_;
     std::vector<Factor> factors_;
-    double own_, other_;
+    std::vector<double> coefficient_;    ///< by medium
+    double own_ = 1, other_ = 1;
     int operand_;
 
     template <int D>
     void apply_in(const Evaluation& e, long begin, long end) const {
         const bool assign = e.assign && first_;
         for (long i = begin; i < end; ++i) {
-            const double scale = e.scale * factor(e, i);
+            const double scale = e.scale * coefficient_[std::size_t(set_.media.number(i))] * factor(e, i);
             double sum[D];
             if (gradient_)
                 gradient<D>(e.state[operand_], i, sum);

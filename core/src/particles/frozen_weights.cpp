@@ -3,56 +3,68 @@
 #include <optional>
 
 #include "pair_correction.hpp"
+#include "parallel.hpp"
 
 namespace sphonic {
 namespace {
 
-/// V_j grad_i W_ij of every pair.
-FrozenWeights plain_weights(const PairSet& set, int kernel) {
-    const int d = set.scene.box.dimension;
-    const PairGeometry& pairs = *set.kept;
-    const double* __restrict slope = pairs.slope[std::size_t(kernel)].data();
-    FrozenWeights w;
-    for (int a = 0; a < d; ++a) {
-        w.own[a] = Array(std::size_t(set.layout.size));
-        w.other[a] = Array(pairs.r2.size());
-        double* __restrict other = w.other[a].data();
-        const double* __restrict r = pairs.r[a].data();
-        for (std::size_t k = 0; k < pairs.r2.size(); ++k) other[k] = set.volume * slope[k] * r[k];
-    }
-    return w;
-}
+using Vector = std::array<double, 3>;
 
-/// w_k becomes L_j w_k.
-void correct(const PairCorrections& L, long j, int d, double* const* w, std::int64_t k) {
-    double old[3] = {};
-    for (int a = 0; a < d; ++a) old[a] = w[a][k];
-    for (int a = 0; a < d; ++a) {
-        w[a][k] = 0;
-        for (int b = 0; b < d; ++b) w[a][k] += L.entry(a, b)[j] * old[b];
-    }
+Vector corrected(const std::optional<PairCorrections>& L, long j, int d, const Vector& g) {
+    if (!L) return g;
+    Vector v{};
+    for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) v[std::size_t(a)] += L->entry(a, b)[j] * g[std::size_t(b)];
+    return v;
 }
 
 }    // namespace
 
 const FrozenWeights& FrozenWeightStore::of(int kernel, abi::Correction correction) {
-    if (const auto known = known_.find({kernel, correction}); known != known_.end()) return known->second;
-    FrozenWeights w = plain_weights(set_, kernel);
-    const int d = set_.scene.box.dimension;
-    double* own[3] = {w.own[0].data(), w.own[1].data(), w.own[2].data()};
-    double* other[3] = {w.other[0].data(), w.other[1].data(), w.other[2].data()};
-    const auto& start = set_.list.start();
-    const auto& neighbour = set_.list.neighbour();
+    const std::string key = std::to_string(kernel) + " " + std::to_string(int(correction));
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    return known_.emplace(key, weigh(kernel, correction, {{1, 1}})).first->second;
+}
+
+const FrozenWeights& FrozenWeightStore::of(const Term& term) {
+    if (!holds_coefficients(term)) return of(term.kernel, term.form->correction());
+    const bool gradient = term.op == Term::Operator::gradient;
+    const std::string key = std::to_string(term.kernel) + (gradient ? " gradient " : " divergence ") + term.form_text;
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    std::vector<RestCoefficients> between;
+    for (const abi::Medium& i : set_.media.list())
+        for (const abi::Medium& j : set_.media.list()) between.push_back(rest_coefficients(*term.form, derivative(term), i, j));
+    return known_.emplace(key, weigh(term.kernel, term.form->correction(), between)).first->second;
+}
+
+/// `between`: coefficients by own and other's medium, or one for all.
+FrozenWeights FrozenWeightStore::weigh(int kernel, abi::Correction correction, const std::vector<RestCoefficients>& between) const {
+    const int d = set_.scene.box.dimension, media = between.size() > 1 ? set_.media.count() : 0;
+    const PairGeometry& pairs = *set_.kept;
+    FrozenWeights w;
+    for (int a = 0; a < d; ++a) {
+        w.own[a] = Array(std::size_t(set_.layout.size));
+        w.other[a] = Array(pairs.r2.size());
+    }
     std::optional<PairCorrections> L;
     if (correction != abi::Correction::none) L.emplace(set_, kernel).compute(nullptr);
-    for (long i = 0; i < set_.layout.particles(); ++i) {
-        for (std::int64_t k = start[std::size_t(i)]; k < start[std::size_t(i) + 1]; ++k) {
-            for (int a = 0; a < d; ++a) own[a][i] += other[a][k];
-            if (L) correct(*L, correction == abi::Correction::own ? i : neighbour[std::size_t(k)], d, other, k);
+    const auto add_pair = [&](long i, std::int64_t k) {
+        const long j = set_.list.neighbour()[std::size_t(k)];
+        const RestCoefficients c = between[std::size_t(media ? set_.medium(i) * media + set_.medium(j) : 0)];
+        Vector g{};
+        for (int a = 0; a < d; ++a) g[std::size_t(a)] = set_.volume * pairs.slope[std::size_t(kernel)].data()[k] * pairs.r[a].data()[k];
+        const Vector own = corrected(L, i, d, g), other = correction == abi::Correction::pairwise ? corrected(L, j, d, g) : own;
+        for (int a = 0; a < d; ++a) {
+            w.own[a].data()[i] += c.own * own[std::size_t(a)];
+            w.other[a].data()[k] = c.other * other[std::size_t(a)];
         }
-        if (L) correct(*L, i, d, own, i);
-    }
-    return known_.emplace(std::pair{kernel, correction}, std::move(w)).first->second;
+    };
+    const auto& start = set_.list.start();
+    in_blocks(set_.threads, set_.layout.particles(), [&](long begin, long end) {
+        for (long i = begin; i < end; ++i)
+            for (std::int64_t k = start[std::size_t(i)]; k < start[std::size_t(i) + 1]; ++k) add_pair(i, k);
+    });
+    return w;
 }
 
 double FrozenWeightStore::bytes() const {

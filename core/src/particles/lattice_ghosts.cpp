@@ -6,8 +6,8 @@
 
 namespace sphonic {
 
-LatticeGhosts::LatticeGhosts(const Case& scene, const Components& components, const Layout& layout, int threads)
-    : scene_(scene), components_(components), layout_(layout), threads_(threads), memory_(std::size_t(6 * components.count)) {}
+LatticeGhosts::LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, int threads)
+    : scene_(scene), components_(components), media_(media), layout_(layout), threads_(threads), memory_(std::size_t(6 * components.count)) {}
 
 void LatticeGhosts::restart() {
     for (auto& memory : memory_) memory.reset();
@@ -80,10 +80,38 @@ LatticeGhosts::Rows::Rows(long layers, long columns)
 LatticeGhosts::Memory::Memory(long layers, long columns)
     : inner(layers + 2, columns), pressure(layers + 2, columns), before(layers + 1, columns), ghost(layers + 1, columns) {}
 
+std::vector<double*> LatticeGhosts::Rows::from(long column) {
+    std::vector<double*> shifted;
+    for (double* row : pointers) shifted.push_back(row + column);
+    return shifted;
+}
+
+/// In the order of for_lines; those through ghosts are of the nearest particle's medium.
+std::vector<LatticeGhosts::Stretch> LatticeGhosts::stretches(int axis, bool upper) const {
+    const Layout& l = layout_;
+    const std::size_t a = std::size_t(axis), b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
+    std::vector<Stretch> all;
+    std::array<long, 3> site{};
+    site[a] = upper ? l.count[axis] - 1 : 0;
+    long column = 0;
+    for (long k = -l.ghosts[c]; k < l.count[c] + l.ghosts[c]; ++k)
+        for (long j = -l.ghosts[b]; j < l.count[b] + l.ghosts[b]; ++j, ++column) {
+            site[b] = std::clamp(j, 0L, l.count[b] - 1);
+            site[c] = std::clamp(k, 0L, l.count[c] - 1);
+            const int medium = media_.number(site[0] + l.count[0] * (site[1] + l.count[1] * site[2]));
+            if (all.empty() || all.back().medium != medium) all.push_back({medium, column, 0});
+            ++all.back().n;
+        }
+    return all;
+}
+
 void LatticeGhosts::layers(double* field, const double* pressure, int component, double t, int axis, bool upper) {
     const long n = layout_.count[axis], g = layout_.ghosts[axis];
     auto& kept = memory_[std::size_t(6 * component + 2 * axis + upper)];
-    if (!kept) kept = std::make_unique<Memory>(g, columns(axis));
+    if (!kept) {
+        kept = std::make_unique<Memory>(g, columns(axis));
+        kept->stretches = stretches(axis, upper);
+    }
     Memory& memory = *kept;
     const abi::Part part = components_.part(component, axis);
     const long step = upper ? layout_.stride[axis] : -layout_.stride[axis], face = upper ? (n - 1) * layout_.stride[axis] : 0;
@@ -95,10 +123,13 @@ void LatticeGhosts::layers(double* field, const double* pressure, int component,
             memory.pressure.pointers[std::size_t(k)][column] = pressure[at - field];
         }
     });
-    scene_.face(axis, upper)->fill({.part = part, .n = int(columns(axis)), .layers = int(g), .t = t, .dt = memory.begun ? t - memory.t : 0,
-                                    .dx = scene_.box.dx, .medium = scene_.medium, .inner = memory.inner.pointers.data(),
-                                    .pressure = memory.pressure.pointers.data(), .before = memory.before.pointers.data(),
-                                    .ghost = memory.ghost.pointers.data()});
+    for (const Stretch& s : memory.stretches) {
+        const auto inner = memory.inner.from(s.first), p = memory.pressure.from(s.first), before = memory.before.from(s.first),
+                   ghost = memory.ghost.from(s.first);
+        scene_.face(axis, upper)->fill({.part = part, .n = int(s.n), .layers = int(g), .t = t, .dt = memory.begun ? t - memory.t : 0,
+                                        .dx = scene_.box.dx, .medium = media_.list()[std::size_t(s.medium)], .inner = inner.data(),
+                                        .pressure = p.data(), .before = before.data(), .ghost = ghost.data()});
+    }
     for_lines(field, axis, [&](double* line, long column) {
         for (long k = 0; k <= g; ++k) line[face + k * step] = rest + sign * memory.ghost.pointers[std::size_t(k)][column];
     });

@@ -3,6 +3,7 @@
 
 #include <sphonic/case.hpp>
 
+#include "particle_media.hpp"
 #include "store.hpp"
 #include "tier.hpp"
 
@@ -12,7 +13,7 @@ namespace sphonic {
 /// each with the ghosts of those before it, so that edges and corners are right.
 class LatticeGhosts {
 public:
-    LatticeGhosts(const Case& scene, const Components& components, const Layout& layout, int threads);
+    LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, int threads);
 
     /// Fills the ghosts of one component, whose values are those of time t [s]. `pressure` is that of p, as it stands.
     void fill(int component, double* field, const double* pressure, double t);
@@ -25,21 +26,31 @@ private:
         Rows(long layers, long columns);
         std::vector<std::vector<double>> values;
         std::vector<double*> pointers;
+        /// Those of the columns from one on.
+        std::vector<double*> from(long column);
+    };
+    /// Consecutive columns whose last particles are of one medium.
+    struct Stretch {
+        int medium;
+        long first, n;
     };
     /// One face's layers of one component, and what they were.
     struct Memory {
         Memory(long layers, long columns);
         double t = 0;
         bool begun = false;
+        std::vector<Stretch> stretches;
         Rows inner, pressure, before, ghost;
     };
     const Case& scene_;
     const Components& components_;
+    const ParticleMedia& media_;
     const Layout layout_;
     int threads_;
     std::vector<std::unique_ptr<Memory>> memory_;    ///< [component][axis][upper], where a face has layers
 
     long columns(int axis) const;
+    std::vector<Stretch> stretches(int axis, bool upper) const;
     bool worthwhile(int axis) const;
     template <class Line>
     void for_lines(double* field, int axis, Line line) const;

@@ -2,30 +2,48 @@
 
 #include <algorithm>
 
-#include "lattice_ends.hpp"
+#include "lattice_mends.hpp"
 #include "parallel.hpp"
 #include "stencil_rows.hpp"
 
 namespace sphonic {
 namespace {
 
-/// Gradient or divergence: interior by folded stencil, free ends mended afterwards.
+/// The interior's weights of one medium, folded for a gradient and for a divergence.
+struct FoldedStencil {
+    FoldedStencil(const LatticeGrid& grid, const std::vector<Offset>& stencil, double factor) {
+        for (const Offset& n : half_neighbours(stencil)) {
+            FoldedPair pair{grid.stride(n), {}};
+            for (int a = 0; a < 3; ++a) pair.weight[a] = factor * n.gradient[a];
+            pairs.push_back(pair);
+            for (int a = 0; a < 3; ++a)
+                if (pair.weight[a] != 0) taps[a].push_back({pair.at, pair.weight[a]});
+        }
+    }
+    std::vector<FoldedPair> pairs;
+    std::vector<FoldedTap> taps[3];
+};
+
+/// By medium.
+std::vector<std::vector<Offset>> interior(const LatticeGrid& grid, const Term& term) {
+    std::vector<std::vector<Offset>> all;
+    for (int m = 0; m < grid.media.count(); ++m)
+        all.push_back(weighted_neighbours(grid.scene, term, grid.neighbours[std::size_t(term.kernel)], m));
+    return all;
+}
+
+/// Gradient or divergence: interior by folded stencils, what they leave wrong mended afterwards.
 class Derivative final : public LatticeOperator {
 public:
     Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
-        : Derivative(grid, components, term, std::move(target), rest_coefficients(*term.form, derivative(term), grid.scene.medium),
-                     weighted_neighbours(grid.scene, term, grid.neighbours[std::size_t(term.kernel)])) {}
+        : Derivative(grid, components, term, std::move(target), interior(grid, term)) {}
 
-    Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target, RestCoefficients c,
-               const std::vector<Offset>& stencil)
-        : grid_(grid), term_(term), target_(std::move(target)),
-          ends_(grid, term, term.coefficient * c.own, term.coefficient * c.other, stencil) {
-        for (const Offset& n : half_neighbours(stencil)) {
-            FoldedPair pair{grid.stride(n), {}};
-            for (int a = 0; a < 3; ++a) pair.weight[a] = term.coefficient * c.other * n.gradient[a];
-            pairs_.push_back(pair);
-            for (int a = 0; a < 3; ++a)
-                if (pair.weight[a] != 0) taps_[a].push_back({pair.at, pair.weight[a]});
+    Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target,
+               const std::vector<std::vector<Offset>>& stencils)
+        : grid_(grid), term_(term), target_(std::move(target)), mended_(grid, term, stencils) {
+        for (std::size_t m = 0; m < stencils.size(); ++m) {
+            const abi::Medium& medium = grid.media.list()[m];
+            stencils_.emplace_back(grid, stencils[m], term.coefficient[m] * rest_coefficients(*term.form, derivative(term), medium, medium).other);
         }
         const int d = grid.scene.box.dimension;
         const Variable& operand = grid.scene.equations.variables[std::size_t(term.operand)];
@@ -38,7 +56,7 @@ public:
         double* out[3];
         for (std::size_t a = 0; a < target_.size(); ++a) out[a] = e.out[target_[a]];
         sweep(e, out, {e.scale, e.assign});
-        mend_ends(e, out, e.scale);
+        mend(e, out, e.scale);
     }
 
 private:
@@ -49,9 +67,8 @@ private:
     const LatticeGrid& grid_;
     const Term& term_;
     std::vector<int> target_, operand_;
-    std::vector<FoldedPair> pairs_;
-    std::vector<FoldedTap> taps_[3];
-    EndRows ends_;
+    std::vector<FoldedStencil> stencils_;    ///< by medium
+    MendedRows mended_;
     std::vector<PowerOf> factors_;
     Array scratch_[3];
 
@@ -61,11 +78,12 @@ private:
         for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
         constexpr int wide = D == 3 ? 3 : 4;
         const bool gradient = term_.op == Term::Operator::gradient;
-        in_row_blocks(grid_.threads, grid_.layout, [&](long, long offset, long, long n) {
+        grid_.for_blocks([&](int medium, long offset, long n) {
+            const FoldedStencil& s = stencils_[std::size_t(medium)];
             if (gradient)
-                sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, pairs_.data(), pairs_.size(), sum); });
+                sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, s.pairs.data(), s.pairs.size(), sum); });
             else
-                sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, Lane(&sum)[1][V]) { divergence_block<D, V>(f, i, taps_, sum); });
+                sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, Lane(&sum)[1][V]) { divergence_block<D, V>(f, i, s.taps, sum); });
         });
     }
 
@@ -77,10 +95,10 @@ private:
         }
     }
 
-    void mend_ends(const Evaluation& e, double* const* out, double scale) const {
+    void mend(const Evaluation& e, double* const* out, double scale) const {
         const double* f[3] = {};
         for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
-        ends_.mend(f, out, scale);
+        mended_.mend(f, out, scale);
     }
 
     /// The derivative into scratch, then multiplied by powers of variables.
@@ -92,7 +110,7 @@ private:
             out[a] = scratch_[a].data();
         }
         sweep(e, out, {1, true});
-        mend_ends(e, out, 1);
+        mend(e, out, 1);
         for (std::size_t a = 0; a < target_.size(); ++a)
             in_row_blocks(grid_.threads, l, [&](long, long offset, long, long n) {
                 multiply_row(e, out[a] + offset, e.out[target_[a]] + offset, offset, n);
@@ -110,6 +128,19 @@ private:
 };
 
 }    // namespace
+
+LatticeGrid::LatticeGrid(const Case& scene, const ParticleMedia& media, long reach)
+    : scene(scene), media(media), layout(Layout::grid(scene.box, reach)), threads(threads_for(scene)) {
+    for (const KernelUse& use : scene.kernels) neighbours.push_back(lattice_neighbours(scene.box, use));
+    if (!media.several()) return;
+    layout.for_rows([&](long offset, long first) {
+        for (long i = 0, begin = 0; i < layout.count[0]; ++i) {
+            const bool last = i + 1 == layout.count[0] || media.number(first + i + 1) != media.number(first + i) || i + 1 - begin == block_length;
+            if (last) stretches_.push_back({media.number(first + i), offset + begin, i + 1 - begin});
+            if (last) begin = i + 1;
+        }
+    });
+}
 
 std::unique_ptr<LatticeOperator> make_lattice_operator(const LatticeGrid& grid, const Components& components,
                                                        const Term& term, const std::vector<int>& target) {

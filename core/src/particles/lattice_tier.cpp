@@ -48,11 +48,8 @@ private:
 
 class LatticeTier final : public Tier {
 public:
-    LatticeTier(const Case& scene, const Components& components)
-        : components_(components), grid_{scene, Layout::grid(scene.box, reach(scene)), threads_for(scene)},
-          ghosts_(scene, components, grid_.layout, grid_.threads) {
-        for (const KernelUse& use : scene.kernels) grid_.neighbours.push_back(lattice_neighbours(scene.box, use));
-    }
+    LatticeTier(const Case& scene, const Components& components, const ParticleMedia& media)
+        : components_(components), grid_(scene, media, reach(scene)), ghosts_(scene, components, media, grid_.layout, grid_.threads) {}
 
     const char* name() const override { return "lattice"; }
     const Layout& layout() const override { return grid_.layout; }
@@ -68,7 +65,7 @@ public:
         for (const auto& n : grid_.neighbours) most = std::max(most, n.size());
         for (const Variable& v : grid_.scene.equations.variables)
             for (const Term& term : v.terms)
-                if (term.fitted) most = std::max(most, 2 * term.fitted->weight.size());
+                for (const auto& fitted : term.fitted) most = std::max(most, 2 * fitted->weight.size());
         return double(most);
     }
 
@@ -85,8 +82,8 @@ private:
 
 }    // namespace
 
-std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components) {
-    return std::make_unique<LatticeTier>(scene, components);
+std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components, const ParticleMedia& media) {
+    return std::make_unique<LatticeTier>(scene, components, media);
 }
 
 }    // namespace sphonic

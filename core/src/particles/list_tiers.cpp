@@ -42,11 +42,12 @@ void check_faces(const Case& scene, double reach) {
 /// at every evaluation.
 class ListTier final : public Tier {
 public:
-    ListTier(const Case& scene, const Components& components, const double* const* x, bool frozen)
+    ListTier(const Case& scene, const Components& components, const ParticleMedia& media, const double* const* x, bool frozen)
         : reach_(scene.radius() + (frozen ? 0 : skin_over_dx * scene.box.dx)),
           mirrors_(scene, components, x, threads_for(scene)),
           set_{.scene = scene,
                .components = components,
+               .media = media,
                .layout = Layout::flat(scene.arrangement->size(scene.box), room(x, frozen)),
                .list = NeighbourList(scene.box, scene.arrangement->size(scene.box), scene.radius(), reach_ - scene.radius()),
                .mirrors = mirrors_,
@@ -133,8 +134,8 @@ private:
 
 }    // namespace
 
-std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const double* const* x, bool frozen) {
-    return std::make_unique<ListTier>(scene, components, x, frozen);
+std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const ParticleMedia& media, const double* const* x, bool frozen) {
+    return std::make_unique<ListTier>(scene, components, media, x, frozen);
 }
 
 }    // namespace sphonic

@@ -70,7 +70,7 @@ private:
         for (const Term* term : share.terms) {
             if (!PairTerms::corrected_gradient(*term)) continue;
             for (int a = 0; a < d; ++a)
-                row_sums(tile_, terms_.gradient(*term, pairs_, a), pairs_.weight(term->kernel), e.scale * term->coefficient, assign, e.out[target + a]);
+                row_sums(tile_, terms_.gradient(*term, pairs_, a), pairs_.weight(term->kernel), e.scale * term->coefficient[0], assign, e.out[target + a]);
             assign = false;
         }
     }

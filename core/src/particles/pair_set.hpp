@@ -23,6 +23,7 @@ struct PairGeometry {
 struct PairSet {
     const Case& scene;
     const Components& components;
+    const ParticleMedia& media;
     Layout layout;
     NeighbourList list;
     const MirrorParticles& mirrors;
@@ -33,6 +34,8 @@ struct PairSet {
     double volume = 0;                ///< [m^d], where there is no current density
     const PairGeometry* kept = nullptr;    ///< of all pairs, on frozen sets
 
+    /// The medium of an own or virtual particle.
+    int medium(long j) const { return media.number(mirrors.source(j)); }
     /// The variable rho where volumes and forms follow it: on moving sets. Frozen geometry is that of rest.
     int density() const { return kept ? -1 : scene.equations.density; }
 };

@@ -55,7 +55,7 @@ const double* PairTerms::gradient(const Term& term, PairValues& pairs, int axis)
 void PairTerms::add_derivative(const Term& term, PairValues& pairs, double* __restrict sum, bool assign) {
     double* __restrict value = pairs.room(value_);
     combine(term, pairs, 0, value);
-    const double coefficient = term.coefficient;
+    const double coefficient = term.coefficient[0];
     const double* __restrict weight = pairs.weight(term.kernel);
     for (const Factor& factor : term.factors) multiply(value, pairs, factor);
     if (assign)
@@ -68,7 +68,7 @@ std::pair<PairTerms::Coefficient, PairTerms::Coefficient> PairTerms::coefficient
     double *own = pairs.room(own_), *other = pairs.room(other_);
     const int rho = set_.density();
     if (term.form->uniform() || rho < 0) {
-        const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set_.scene.medium);
+        const RestCoefficients c = rest_coefficients(*term.form, derivative(term), set_.scene.medium, set_.scene.medium);
         own[0] = c.own, other[0] = c.other;
         return {{own, 0}, {other, 0}};
     }

@@ -13,7 +13,7 @@ void ParticleSystem::enlist_layers() {
         for (int a = 0; a < scene_.box.dimension; ++a)
             for (const bool upper : {false, true}) {
                 const double distance = upper ? scene_.box.upper[a] - x_[a][i] : x_[a][i] - scene_.box.lower[a];
-                if (const abi::Boundary* face = scene_.face(a, upper)) rate += face->damping(distance, scene_.medium);
+                if (const abi::Boundary* face = scene_.face(a, upper)) rate += face->damping(distance, media_.of(long(i)));
             }
         if (rate > 0) layers_.push_back({index[i], rate});
     }

@@ -11,7 +11,7 @@
 /// How a set begins: places and initial fields.
 namespace sphonic {
 
-void ParticleSystem::place_particles() {
+ParticleMedia ParticleSystem::place_particles() {
     double* x[3] = {};
     for (int a = 0; a < scene_.box.dimension; ++a) {
         x_[a].resize(std::size_t(scene_.arrangement->size(scene_.box) + overrun));
@@ -19,6 +19,7 @@ void ParticleSystem::place_particles() {
     }
     scene_.arrangement->place(scene_.box, x);
     if (scene_.jitter > 0) displace(x);
+    return {scene_, scene_.arrangement->size(scene_.box), x};
 }
 
 /// Uniform random displacements. Bounded axes keep their particles inside, and those on a face on it.

@@ -22,7 +22,7 @@ public:
         dt_ = dt;
         match_tones();
         system_.initialise();
-        system_.start_budget(energy());
+        system_.start_budget(energy(abi::Stagger::none));    // beyond its limit a staggered scheme's own may be negative
     }
     void step() override {
         scene_.integrator->step(system_, {index_, time(), dt_});
@@ -50,28 +50,32 @@ public:
 
     /// 1/2 sum V [p^2/K + rho0 u.u'], where u' is u of the neighbouring half step that the scheme's invariant asks for.
     double energy() override {
-        const abi::Snapshot shot = snapshot();
         const int u = scene_.equations.find("u");
         abi::Stagger stagger = scene_.integrator->stagger();
         if (stagger == abi::Stagger::behind_after_start) stagger = index_ == 0 ? abi::Stagger::centred : abi::Stagger::behind;
         if (u < 0 || !scene_.equations.variables[std::size_t(u)].evolved()) stagger = abi::Stagger::none;
-        const abi::Slot rates = stagger == abi::Stagger::none ? abi::state : system_.history("core: rate for the energy");
-        if (rates != abi::state) system_.rate_of(u, time(), rates);
-        const auto& m = scene_.medium;
-        double sum = 0;
-        if (weight_.empty()) weight_ = wall_weights(shot.points);
-        for (long i = 0; shot.p && i < shot.points.n; ++i) sum += weight_[std::size_t(i)] * shot.p[i] * shot.p[i] / (m.rho0 * m.c0 * m.c0);
-        for (int a = 0; a < scene_.box.dimension; ++a)
-            if (shot.u[a]) sum += m.rho0 * kinetic(shot, a, stagger, rates);
-        return 0.5 * scene_.particle_volume() * sum;
+        return energy(stagger);
     }
 
 private:
-    /// On a lattice by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is the
-    /// assembled operator's.
+    double energy(abi::Stagger stagger) {
+        const abi::Snapshot shot = snapshot();
+        const int u = scene_.equations.find("u");
+        const abi::Slot rates = stagger == abi::Stagger::none ? abi::state : system_.history("core: rate for the energy");
+        if (rates != abi::state) system_.rate_of(u, time(), rates);
+        double sum = 0;
+        if (weight_.empty()) weight_ = wall_weights(shot.points);
+        for (long i = 0; shot.p && i < shot.points.n; ++i) sum += weight_[std::size_t(i)] * shot.p[i] * shot.p[i] / bulk_modulus(system_.media().of(i));
+        for (int a = 0; a < scene_.box.dimension; ++a)
+            if (shot.u[a]) sum += kinetic(shot, a, stagger, rates);
+        return 0.5 * scene_.particle_volume() * sum;
+    }
+
+    /// On a lattice of one medium by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is
+    /// the assembled operator's.
     static StepLimit limit(const Case& scene, ParticleSystem& system) {
         StepLimit limit = step_limit(scene);
-        if (scene.regular()) return limit;
+        if (scene.regular() && !scene.media->several()) return limit;
         constexpr double margin = 0.98;    // the largest frequency is approached from below
         const double frequency = system.largest_frequency();
         limit.dt *= margin * limit.frequency / frequency;
@@ -112,11 +116,13 @@ private:
 
     /// Tells sources of one tone how the set carries it; disordered sets do so about as their lattice does.
     void match_tones() {
-        for (const SourceUse& use : scene_.sources) {
+        for (std::size_t s = 0; s < scene_.sources.size(); ++s) {
+            const SourceUse& use = scene_.sources[s];
             const double omega = use.source->tone();
             if (omega == 0) continue;
-            const auto response = tone_response(scene_, omega, dt_);
-            const double per_wavelength = 2 * std::acos(-1.0) * scene_.medium.c0 / (omega * scene_.box.dx);
+            const int medium = system_.medium_of_source(s);
+            const auto response = tone_response(scene_, omega, dt_, medium);
+            const double per_wavelength = 2 * std::acos(-1.0) * system_.media().list()[std::size_t(medium)].c0 / (omega * scene_.box.dx);
             if (!response)
                 throw Error(Fault::input, use.place, "its wavelength is " + Json(per_wavelength).dump() + " particle spacings: the set carries no wave so short",
                             "Choose a smaller dx, or omega");
@@ -136,7 +142,7 @@ private:
         return room.data();
     }
 
-    /// Sum of u_a u'_a: behind, u is at t - dt/2 and u' = u + dt a; centred, u u' = u^2 - (dt a / 2)^2.
+    /// Sum of rho0 u_a u'_a: behind, u is at t - dt/2 and u' = u + dt a; centred, u u' = u^2 - (dt a / 2)^2.
     double kinetic(const abi::Snapshot& shot, int axis, abi::Stagger stagger, abi::Slot rates) {
         rate_.assign(std::size_t(shot.points.n), 0.0);
         const int component = system_.components().first[std::size_t(scene_.equations.find("u"))] + axis;
@@ -145,7 +151,7 @@ private:
         double sum = 0;
         for (long i = 0; i < shot.points.n; ++i) {
             const double kick = dt_ * rate_[std::size_t(i)];
-            sum += weight_[std::size_t(i)] * (stagger == abi::Stagger::behind ? u[i] * (u[i] + kick) : u[i] * u[i] - 0.25 * kick * kick);
+            sum += weight_[std::size_t(i)] * system_.media().of(i).rho0 * (stagger == abi::Stagger::behind ? u[i] * (u[i] + kick) : u[i] * u[i] - 0.25 * kick * kick);
         }
         return sum;
     }

@@ -9,11 +9,11 @@ void ParticleSystem::impose(SourceMembers& source, double t, bool pressure, bool
     if (moving()) source.follow(positions().data(), threads_);
     source.evaluate(t, pressure, velocity, threads_);
     if (pressure) {
-        budget_.imposed(source.p(), 1 / bulk_modulus());
+        for (std::size_t i = 0; i < source.p().size(); ++i) budget_.imposed(source.p()[i], 1 / bulk_modulus(medium(source, i)));
         set_scalar(pressure_, source.at(), source.p());
     }
     for (int a = 0; velocity && a < scene_.box.dimension; ++a) {
-        budget_.imposed(source.u(a), scene_.medium.rho0);
+        for (std::size_t i = 0; i < source.u(a).size(); ++i) budget_.imposed(source.u(a)[i], medium(source, i).rho0);
         put(source.at(), source.u(a), components_.first[std::size_t(velocity_)] + a);
     }
 }
@@ -31,29 +31,27 @@ void ParticleSystem::set_scalar(int v, const std::vector<std::ptrdiff_t>& at, st
     put(at, value, components_.first[std::size_t(v)]);
 }
 
-double ParticleSystem::bulk_modulus() const { return scene_.medium.rho0 * scene_.medium.c0 * scene_.medium.c0; }
-
 void ParticleSystem::add_sources(const Part& part, double t, abi::Slot out, double scale) {
     const auto [evolved, slope] = of_pressure_;
     const bool pressure = part.has(evolved), velocity = part.has(velocity_);
     if (!pressure && !velocity) return;
     double energy = 0;
-    const auto add = [&](const SourceMembers& source, int component, const std::vector<double>& rate, double factor) {
+    const auto add = [&](const SourceMembers& source, int component, const std::vector<double>& rate, double factor, auto inertia) {
         double* target = store_.array(out, component);
-        double squares = 0;
         for (std::size_t i = 0; i < rate.size(); ++i) {
             target[source.at()[i]] += scale * factor * rate[i];
-            squares += rate[i] * rate[i];
+            energy += inertia(medium(source, i)) * rate[i] * rate[i];
         }
-        return squares;
     };
+    const auto compliance = [](const abi::Medium& m) { return 1 / bulk_modulus(m); };
+    const auto density = [](const abi::Medium& m) { return m.rho0; };
     for (SourceMembers& source : sources_) {
         if (!source.action.adds) continue;
         if (moving()) source.follow(positions().data(), threads_);
         source.evaluate(t, pressure, velocity, threads_);
-        if (pressure) energy += add(source, components_.first[std::size_t(evolved)], source.p(), 1 / slope) / bulk_modulus();
+        if (pressure) add(source, components_.first[std::size_t(evolved)], source.p(), 1 / slope, compliance);
         for (int a = 0; velocity && a < scene_.box.dimension; ++a)
-            energy += scene_.medium.rho0 * add(source, components_.first[std::size_t(velocity_)] + a, source.u(a), 1);
+            add(source, components_.first[std::size_t(velocity_)] + a, source.u(a), 1, density);
     }
     supply_ = std::max(supply_, 0.5 * scene_.particle_volume() * energy);
 }

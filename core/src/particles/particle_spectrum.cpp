@@ -13,36 +13,40 @@ public:
     explicit Spectrum(ParticleSystem& system)
         : system_(system), all_(system.part(abi::fields)), rates_(system.store_.history("core: rate")) {
         const auto [evolved, slope] = system.scene_.behind(system.pressure_);
-        const double impedance = system.scene_.medium.rho0 * system.scene_.medium.c0;
-        for (const int c : all_.components)
-            weights_.push_back(c == system.components_.first[std::size_t(evolved)] ? slope / impedance : 1);
+        const double rho = system.scene_.medium.rho0;
+        for (const int c : all_.components) {
+            const bool pressure = c == system.components_.first[std::size_t(evolved)];
+            weights_.emplace_back();
+            for (const abi::Medium& m : system.media_.list())
+                weights_.back().push_back(pressure ? slope / std::sqrt(rho * bulk_modulus(m)) : std::sqrt(m.rho0 / rho));
+        }
     }
 
     abi::Slot vector(const char* name) { return system_.store_.history(name); }
 
     void randomise(abi::Slot v) {
-        for_components([&](int c, double weight) {
-            double* x = system_.store_.array(v, c);
-            for (long i = 0; i < system_.particles(); ++i) x[i] = (double(bits_() >> 11) * 0x1p-53 - 0.5) / weight;
+        for_rows([&](int c, auto weight, long row) {
+            double* x = system_.store_.array(v, c) + row;
+            for (long i = 0; i < system_.layout().count[0]; ++i) x[i] = (double(bits_() >> 11) * 0x1p-53 - 0.5) / weight(i);
         });
     }
     double dot(abi::Slot a, abi::Slot b) {
         double sum = 0;
-        for_components([&](int c, double weight) {
-            const double *x = system_.store_.array(a, c), *y = system_.store_.array(b, c);
-            for (long i = 0; i < system_.particles(); ++i) sum += weight * weight * x[i] * y[i];
+        for_rows([&](int c, auto weight, long row) {
+            const double *x = system_.store_.array(a, c) + row, *y = system_.store_.array(b, c) + row;
+            for (long i = 0; i < system_.layout().count[0]; ++i) sum += weight(i) * weight(i) * x[i] * y[i];
         });
         return sum;
     }
     /// y = s y + t x
     void combine(abi::Slot x, double t, abi::Slot y, double s) {
-        for_components([&](int c, double) {
+        for (const int c : all_.components) {
             const double* from = system_.store_.array(x, c);
             double* to = system_.store_.array(y, c);
-            in_blocks(system_.threads_, system_.particles(), [=](long begin, long end) {
+            in_blocks(system_.threads_, system_.layout().size, [=](long begin, long end) {
                 for (long i = begin; i < end; ++i) to[i] = s * to[i] + t * from[i];
             });
-        });
+        }
     }
     /// out = B in
     void apply(abi::Slot in, abi::Slot out) {
@@ -58,14 +62,19 @@ private:
     ParticleSystem& system_;
     Part& all_;
     abi::Slot rates_;
-    std::vector<double> weights_;
+    std::vector<std::vector<double>> weights_;    ///< by component and medium: the energy is 1/2 sum V (w z)^2 rho0
     std::mt19937_64 bits_{1};
 
+    /// Calls visit(component, weights of the row's particles, the row's place in the field) for all rows of all components.
     template <class Visit>
-    void for_components(Visit visit) {
-        for (std::size_t k = 0; k < weights_.size(); ++k) visit(all_.components[k], weights_[k]);
+    void for_rows(Visit visit) {
+        for (std::size_t k = 0; k < weights_.size(); ++k)
+            system_.layout().for_rows([&](long row, long first) {
+                visit(all_.components[k], [&](long i) { return weights_[k][std::size_t(system_.media_.number(first + i))]; }, row);
+            });
     }
     void rate() {
+        system_.tier_->restart();    // walls with memory have none here
         system_.refresh_algebraic(all_, 0);
         const double* p = system_.field(system_.components_.first[std::size_t(system_.pressure_)]);
         for (const int c : all_.components) system_.tier_->fill_ghosts(c, system_.store_.array(abi::state, c), p, 0);

@@ -32,27 +32,26 @@ abi::Part Components::part(int component, int axis) const {
 
 namespace {
 
-std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const double* const* x) {
+std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const ParticleMedia& media, const double* const* x) {
     const bool still = scene.motion == Motion::frozen, automatic = scene.neighbours == Neighbours::automatic;
     if (scene.neighbours == Neighbours::lattice || (automatic && still && scene.regular()))
-        return make_lattice_tier(scene, components);
-    return make_list_tier(scene, components, x, still && scene.neighbours != Neighbours::moving);
+        return make_lattice_tier(scene, components, media);
+    return make_list_tier(scene, components, media, x, still && scene.neighbours != Neighbours::moving);
 }
 
 }    // namespace
 
 ParticleSystem::ParticleSystem(const Case& scene)
     : scene_(scene), components_(scene),
-      threads_(threads_for(scene)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.medium) {
-    place_particles();
+      threads_(threads_for(scene)), media_(place_particles()), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.media->fastest()) {
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
-    tier_ = choose_tier(scene, components_, x);
+    tier_ = choose_tier(scene, components_, media_, x);
     store_ = Store(layout().size, components_.count);
     for (int c = 0; c < components_.count; ++c) state_arrays_.push_back(store_.array(abi::state, c));
     out_arrays_.resize(std::size_t(components_.count));
     order_algebraic();
     make_parts();
-    for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, layout(), x);
+    for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, media_, layout(), x);
     for (const SourceMembers& source : sources_) supplied_ = supplied_ || source.action.adds;
     enlist_layers();
 }

@@ -34,6 +34,9 @@ public:
     long particles() const { return layout().particles(); }
     /// Field of a component in a slot, in the tier's layout.
     const double* field(int component, abi::Slot slot = abi::state) { return store_.array(slot, component); }
+    const ParticleMedia& media() const { return media_; }
+    /// That of its first particle.
+    int medium_of_source(std::size_t i) const { return sources_[i].media()[0]; }
     const Components& components() const { return components_; }
     bool moving() const { return components_.positions >= 0; }
     /// Coordinate of each particle by axis, in particle order.
@@ -44,8 +47,7 @@ public:
     /// To be called after every step.
     void close_step(double dt);
     const EnergyBudget& budget() const { return budget_; }
-    /// Largest |eigenvalue| of the assembled, linearised operator [1/s], from below. For sets with a neighbour list; leaves the
-    /// fields zero.
+    /// Largest |eigenvalue| of the assembled, linearised operator [1/s], from below. Leaves the fields zero.
     double largest_frequency();
     /// The rate of one variable's component 0 ... into a named slot, without changing the state.
     void rate_of(int variable, double t, abi::Slot out);
@@ -66,6 +68,7 @@ private:
     Components components_;
     int threads_;
     std::vector<double> x_[3];    ///< initial positions; of frozen sets, for good
+    ParticleMedia media_;
     std::unique_ptr<Tier> tier_;
     Store store_;
     std::vector<Part> parts_;     ///< by splitting group, then everything, fields, positions
@@ -89,7 +92,7 @@ private:
 
     int evolved_behind(int variable) const { return scene_.behind(variable).variable; }
     void order_algebraic();
-    void place_particles();
+    ParticleMedia place_particles();
     void displace(double* const* x) const;
     void make_parts();
     Part make_part(std::vector<int> variables, bool positions);
@@ -102,12 +105,13 @@ private:
     void impose(SourceMembers& members, double t, bool pressure, bool velocity);
     void set_scalar(int variable, const std::vector<std::ptrdiff_t>& at, std::vector<double>& value);
     void put(const std::vector<std::ptrdiff_t>& at, const std::vector<double>& value, int component);
-    double bulk_modulus() const;
     class Spectrum;    ///< in particle_spectrum.cpp
     static double lanczos(Spectrum& spectrum, abi::Slot v, abi::Slot w, abi::Slot before);
     static double power(Spectrum& spectrum, abi::Slot v, abi::Slot w);
     void enlist_layers();
     void damp(double dt);
+    /// That of a source's i-th particle.
+    const abi::Medium& medium(const SourceMembers& source, std::size_t i) const { return media_.list()[std::size_t(source.media()[i])]; }
     void set_initial_fields();
     void refresh_algebraic(const Part& changed, double t);
 };

@@ -4,7 +4,7 @@
 
 namespace sphonic {
 
-SourceMembers::SourceMembers(const SourceUse& use, const Case& scene, const Layout& layout, const double* const* x)
+SourceMembers::SourceMembers(const SourceUse& use, const Case& scene, const ParticleMedia& media, const Layout& layout, const double* const* x)
     : action(use.source->action()), source_(*use.source), dimension_(scene.box.dimension) {
     const auto index = field_indices(layout);
     abi::Points all{.dimension = dimension_, .n = int(index.size())};
@@ -14,6 +14,7 @@ SourceMembers::SourceMembers(const SourceUse& use, const Case& scene, const Layo
     for (std::size_t i = 0; i < index.size(); ++i) {
         if (!inside[i]) continue;
         at_.push_back(index[i]);
+        media_.push_back(media.number(long(i)));
         for (int a = 0; a < dimension_; ++a) x_[a].push_back(x[a][i]);
     }
     if (at_.empty()) use.reaches_nothing();

@@ -4,6 +4,7 @@
 
 #include <sphonic/case.hpp>
 
+#include "particle_media.hpp"
 #include "store.hpp"
 
 namespace sphonic {
@@ -12,7 +13,7 @@ namespace sphonic {
 class SourceMembers {
 public:
     /// `x` by axis, in particle order. Throws if there are none.
-    SourceMembers(const SourceUse& use, const Case& scene, const Layout& layout, const double* const* x);
+    SourceMembers(const SourceUse& use, const Case& scene, const ParticleMedia& media, const Layout& layout, const double* const* x);
 
     const abi::Action action;
 
@@ -22,6 +23,7 @@ public:
     void evaluate(double t, bool pressure, bool velocity, int threads);
 
     const std::vector<std::ptrdiff_t>& at() const { return at_; }    ///< places in a field
+    const std::vector<int>& media() const { return media_; }         ///< numbers of their media
     std::vector<double>& p() { return p_; }
     const std::vector<double>& u(int axis) const { return u_[axis]; }
 
@@ -29,6 +31,7 @@ private:
     const abi::Source& source_;
     int dimension_;
     std::vector<std::ptrdiff_t> at_;
+    std::vector<int> media_;
     std::vector<double> x_[3], p_, u_[3];
 };
 

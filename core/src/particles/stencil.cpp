@@ -43,10 +43,10 @@ std::vector<Offset> half_neighbours(const std::vector<Offset>& all) {
     return half;
 }
 
-RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& medium) {
+RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& i, const abi::Medium& j) {
     RestCoefficients c{};
-    const double rho = medium.rho0, inverse = 1 / rho, impedance = rho * medium.c0;
-    form.coefficients(derivative, {1, &rho, &rho, &inverse, &inverse, &impedance, &impedance}, &c.own, &c.other);
+    const double inverse_i = 1 / i.rho0, inverse_j = 1 / j.rho0, Z_i = i.rho0 * i.c0, Z_j = j.rho0 * j.c0;
+    form.coefficients(derivative, {1, &i.rho0, &j.rho0, &inverse_i, &inverse_j, &Z_i, &Z_j}, &c.own, &c.other);
     return c;
 }
 
@@ -75,8 +75,8 @@ std::vector<Offset> fitted_neighbours(const Case& scene, const LatticeWeights& f
 
 }    // namespace
 
-std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours) {
-    if (term.fitted) return fitted_neighbours(scene, *term.fitted);
+std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours, int medium) {
+    if (!term.fitted.empty()) return fitted_neighbours(scene, *term.fitted[std::size_t(medium)]);
     const double volume = lattice_volume(scene.box), dx = scene.box.dx;
     Moment moment(scene.box.dimension);
     for (const Offset& n : neighbours) {

@@ -18,16 +18,16 @@ std::vector<Offset> lattice_neighbours(const abi::Box& box, const KernelUse& ker
 /// One of each pair o, -o.
 std::vector<Offset> half_neighbours(const std::vector<Offset>& all);
 
-/// Coefficients of a form between particles at rest density.
+/// Coefficients of a form between particles of two media at rest.
 struct RestCoefficients {
     double own, other;
 };
-RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& medium);
+RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& i, const abi::Medium& j);
 abi::Derivative derivative(const Term& term);
 
-/// V grad_i W_ij of a term's neighbours in the interior of a lattice, corrected as its form asks for: `neighbours` with other
-/// gradients. Throws if the neighbourhood is degenerate.
-std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours);
+/// V grad_i W_ij of a term's neighbours in the interior of a medium's lattice, corrected as its form asks for: `neighbours` with
+/// other gradients, or the form's own. Throws if the neighbourhood is degenerate.
+std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours, int medium = 0);
 
 /// Slope dPi/d(u.r) of a viscosity for a lattice pair of approaching particles at rest.
 double rest_slope(const abi::Viscosity& viscosity, const Case& scene, const KernelUse& kernel, double r2);

@@ -5,6 +5,7 @@
 #include <sphonic/case.hpp>
 #include <sphonic/plugin/abi/boundary.hpp>
 
+#include "particle_media.hpp"
 #include "store.hpp"
 
 namespace sphonic {
@@ -58,8 +59,8 @@ public:
     virtual double bytes() const = 0;
 };
 
-std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components);
+std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components, const ParticleMedia& media);
 /// `x` by axis, in particle order.
-std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const double* const* x, bool frozen);
+std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const ParticleMedia& media, const double* const* x, bool frozen);
 
 }    // namespace sphonic

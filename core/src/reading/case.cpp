@@ -184,12 +184,13 @@ bool Case::initial_values(const std::string& variable, int component, const abi:
     return false;
 }
 
-Expression::Constants constants(const Case& scene) {
-    const auto& m = scene.medium;
+Expression::Constants constants(const Case& scene, const abi::Medium& m) {
     Expression::Constants known{{{"c0", m.c0}, {"rho0", m.rho0}, {"K", m.rho0 * m.c0 * m.c0}, {"dx", scene.box.dx}}};
     if (!scene.kernels.empty()) known.values.emplace_back("h", scene.kernels[0].h);
     return known;
 }
+
+Expression::Constants constants(const Case& scene) { return constants(scene, scene.medium); }
 
 Case load_case(Json document, const fs::path& file, Registry& registry) {
     Case scene;

@@ -51,7 +51,9 @@ void prepared(const std::string& place, Call call) {
     }
 }
 
-/// c0, rho0, K, dx and, where there is a default kernel, h.
+/// c0, rho0 and K of a medium, dx and, where there is a default kernel, h.
+Expression::Constants constants(const Case& scene, const abi::Medium& medium);
+/// Those of the first medium.
 Expression::Constants constants(const Case& scene);
 
 void read_space(Case& scene, Section& root, Registry& registry);        // particles, boundaries

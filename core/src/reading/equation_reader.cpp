@@ -138,17 +138,17 @@ private:
         return term;
     }
 
-    /// "difference", or {"type": "difference", parameters...}.
+    /// "difference", or {"type": "difference", parameters...}. If not given, one that converges, and bears contrasts of media.
     std::unique_ptr<abi::Form> read_form(Section& section) {
-        const Json& form = section.need("form", "Name a form: " + join(registry_.names("form")));
-        if (form.is_object()) {
+        const std::string usual = scene_.media->several() ? "impedance" : "corrected";
+        if (const Json* form = section.find("form"); form && form->is_object()) {
             Section inner = section.child("form", "");
             auto made = read_plugin<abi::Form>(scene_, inner, registry_);
             inner.finish();
             section.resolved["form"] = inner.resolved;
             return made;
         }
-        const std::string name = section.text("form", "");
+        const std::string name = section.text("form", usual);
         return default_plugin<abi::Form>(scene_, registry_, name, section.place("form"));
     }
 

@@ -44,11 +44,32 @@ int Equations::find(const std::string& name) const {
     return -1;
 }
 
+namespace {
+
+/// What reads c0 and rho0 of one medium only.
+void refuse_several_media(const Case& scene, const Section& root) {
+    if (!scene.media->several()) return;
+    const auto refuse = [&](const std::string& what, const std::string& remedy) {
+        throw Error(Fault::input, root.file() + ": /medium", "there are several media, and " + what + " one only", remedy);
+    };
+    if (!scene.method->meshfree()) refuse("method " + scene.method_name + " knows of", "Use particles");
+    if (scene.motion == Motion::lagrangian || scene.neighbours == Neighbours::moving)
+        refuse("sets that find their neighbours anew know of", "Use a frozen set");
+    for (const Variable& v : scene.equations.variables) {
+        if (!v.evolved()) refuse("the state of \"" + v.name + "\" knows of", "Evolve p itself, as equations \"acoustics\" do");
+        if (v.name == "rho") refuse("the density \"rho\" begins with that of", "Use rho0, which each medium has of its own");
+        for (const Term& term : v.terms)
+            if (term.viscosity) refuse("viscosity knows of", "Leave the viscosity out");
+    }
+}
+
+}    // namespace
+
 void read_equations(Case& scene, Section& root, Registry& registry) {
     if (!scene.method->meshfree() && !root.has("equations") && !root.has("viscosity")) {
         scene.equations.variables.push_back({.name = "p"});    // what every method of sound knows
         scene.equations.variables.push_back({.name = "u", .is_vector = true});
-        return;
+        return refuse_several_media(scene, root);
     }
     const Json& given = root.need("equations", "Name a preset such as \"linear_acoustics\", or write the assembly");
     const Json* assembly = &given;
@@ -70,6 +91,7 @@ void read_equations(Case& scene, Section& root, Registry& registry) {
     if (scene.method->meshfree() && (e.find("p") < 0 || e.find("u") < 0))
         root.fail("equations", "there is no pressure p or no velocity u", "Sound needs both: sources, references and results refer to them");
     if (root.has("viscosity")) root.resolved["viscosity"] = append_viscosity(scene, root.child("viscosity", ""), registry);
+    refuse_several_media(scene, root);
 }
 
 }    // namespace sphonic

@@ -60,11 +60,11 @@ int read_power(const std::string& text, std::size_t hat, const Section& section)
     return power;
 }
 
-double constant_value(const std::string& text, const Case& scene, const Section& section) {
+double constant_value(const std::string& text, const Case& scene, const abi::Medium& medium, const Section& section) {
     const std::string remedy = "Coefficients are constants times powers of variables";
     for (const std::string name : {"x", "y", "z", "r"})
         if (text == name) section.fail("times", "\"" + text + "\": \"" + name + "\" is a coordinate", remedy);
-    const Expression expression(text, constants(scene), scene.box.dimension, section.place("times"));
+    const Expression expression(text, constants(scene, medium), scene.box.dimension, section.place("times"));
     const double here[3] = {0.3, 0.7, 1.1}, there[3] = {1.7, -0.4, 0.2};
     const double value = expression(here), elsewhere = expression(there);
     if (value != elsewhere && std::isfinite(value) && std::isfinite(elsewhere)) section.fail("times", "\"" + text + "\" depends on a coordinate", remedy);
@@ -73,7 +73,7 @@ double constant_value(const std::string& text, const Case& scene, const Section&
 
 void apply(Operand operand, Term& term, const Case& scene, const Section& section) {
     if (operand.text[0] == '-') {
-        term.coefficient = -term.coefficient;
+        for (double& coefficient : term.coefficient) coefficient = -coefficient;
         operand.text.erase(0, 1);
     }
     const auto hat = operand.text.find('^');
@@ -85,19 +85,19 @@ void apply(Operand operand, Term& term, const Case& scene, const Section& sectio
         term.factors.push_back({variable, operand.divides ? -power : power});
         return;
     }
-    const double value = constant_value(operand.text, scene, section);
-    if (operand.divides && value == 0) section.fail("times", "\"" + operand.text + "\" is zero and divides", finite_remedy);
-    term.coefficient *= operand.divides ? 1 / value : value;
+    for (std::size_t m = 0; m < term.coefficient.size(); ++m) {
+        const double value = constant_value(operand.text, scene, scene.media->list()[m], section);
+        if (operand.divides && value == 0) section.fail("times", "\"" + operand.text + "\" is zero and divides", finite_remedy);
+        term.coefficient[m] *= operand.divides ? 1 / value : value;
+        if (!std::isfinite(term.coefficient[m])) section.fail("times", "the product is not finite at \"" + operand.text + "\"", finite_remedy);
+    }
 }
 
 }    // namespace
 
 void read_times(Term& term, const Case& scene, Section& section) {
-    for (const Operand& operand : split_product(section.text("times", "1"), section)) {
-        apply(operand, term, scene, section);
-        if (!std::isfinite(term.coefficient))
-            section.fail("times", "the product is not finite at \"" + operand.text + "\"", finite_remedy);
-    }
+    term.coefficient.assign(scene.media->list().size(), 1);
+    for (const Operand& operand : split_product(section.text("times", "1"), section)) apply(operand, term, scene, section);
 }
 
 }    // namespace sphonic

@@ -5,7 +5,8 @@
 
 namespace sphonic {
 
-/// Reads "times" of a term: a product of constants and integer powers of scalar variables.
+/// Reads "times" of a term: a product of constants, which each medium has of its own, and integer
+/// powers of scalar variables.
 void read_times(Term& term, const Case& scene, Section& section);
 
 }    // namespace sphonic

@@ -12,8 +12,11 @@ constexpr double margin = 100;
 
 }    // namespace
 
-Sentinel::Sentinel(const Case& scene, abi::Solver& solver) : scene_(scene), solver_(solver) {
-    const abi::Points points = solver.snapshot().points;
+Sentinel::Sentinel(const Case& scene, abi::Solver& solver) : Sentinel(scene, solver, solver.snapshot().points) {}
+
+Sentinel::Sentinel(const Case& scene, abi::Solver& solver, const abi::Points& points)
+    : scene_(scene), solver_(solver), media_(scene, points.n, points.x) {
+    keep(solver.snapshot());
     free_.assign(std::size_t(points.n), 1);
     std::vector<unsigned char> inside(free_.size());
     for (const SourceUse& use : scene.sources) {
@@ -26,12 +29,14 @@ Sentinel::Sentinel(const Case& scene, abi::Solver& solver) : scene_(scene), solv
 
 /// 1/2 sum V (p^2/K + rho0 u^2): never negative, unlike the invariant of a staggered scheme beyond its limit.
 double Sentinel::energy(const abi::Snapshot& shot) const {
-    const auto& m = scene_.medium;
-    double potential = 0, kinetic = 0;
-    for (int i = 0; i < shot.points.n; ++i) potential += free_[std::size_t(i)] * shot.p[i] * shot.p[i];
-    for (int a = 0; a < shot.points.dimension && shot.u[a]; ++a)
-        for (int i = 0; i < shot.points.n; ++i) kinetic += free_[std::size_t(i)] * shot.u[a][i] * shot.u[a][i];
-    return 0.5 * scene_.particle_volume() * (potential / (m.rho0 * m.c0 * m.c0) + m.rho0 * kinetic);
+    double sum = 0;
+    for (int i = 0; i < shot.points.n; ++i) {
+        const abi::Medium& m = media_.of(i);
+        double density = shot.p[i] * shot.p[i] / bulk_modulus(m);
+        for (int a = 0; a < shot.points.dimension && shot.u[a]; ++a) density += m.rho0 * shot.u[a][i] * shot.u[a][i];
+        if (free_[std::size_t(i)]) sum += density;
+    }
+    return 0.5 * scene_.particle_volume() * sum;
 }
 
 std::string Sentinel::complaint(const abi::Snapshot& shot, double energy) const {
@@ -52,10 +57,14 @@ std::optional<std::string> Sentinel::look() {
     const abi::Snapshot shot = solver_.snapshot();
     const double now = energy(shot);
     if (!(now <= margin * solver_.energy_bound()) || !std::isfinite(now)) return complaint(shot, now);
+    keep(shot);
+    return std::nullopt;
+}
+
+void Sentinel::keep(const abi::Snapshot& shot) {
     good_.t = solver_.time();
     for (int a = 0; a < shot.points.dimension; ++a) good_.x[a].assign(shot.points.x[a], shot.points.x[a] + shot.points.n);
     good_.p.assign(shot.p, shot.p + shot.points.n);
-    return std::nullopt;
 }
 
 }    // namespace sphonic

@@ -4,6 +4,8 @@
 
 #include <sphonic/simulation.hpp>
 
+#include "particle_media.hpp"
+
 namespace sphonic {
 
 /// Watches a run: everything finite, and no more energy in the set than it had and its sources can have put in. What was
@@ -20,9 +22,12 @@ public:
 private:
     const Case& scene_;
     abi::Solver& solver_;
+    ParticleMedia media_;
     std::vector<double> free_;    ///< 1 where no source sets the field: there energy is what the equations make of it; else 0
     Profile good_;
 
+    Sentinel(const Case& scene, abi::Solver& solver, const abi::Points& points);
+    void keep(const abi::Snapshot& shot);
     double energy(const abi::Snapshot& shot) const;
     std::string complaint(const abi::Snapshot& shot, double energy) const;
 };

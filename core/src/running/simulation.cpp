@@ -54,7 +54,6 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
     summary_.setup_s = cpu_seconds() - begin;
     find_probes();
     sentinel_ = std::make_unique<Sentinel>(scene, *solver_);
-    sentinel_->look();
     summary_.energy_initial = summary_.energy_final = solver_->energy();
 }
 
@@ -67,7 +66,7 @@ void Simulation::fix_step() {
     double dt = choice.safety * summary_.dt_limit;
     std::string key = "safety";
     if (choice.dt) dt = *choice.dt, key = "dt";
-    if (choice.courant) dt = *choice.courant * choice.courant_length / scene_.medium.c0, key = "courant";
+    if (choice.courant) dt = *choice.courant * choice.courant_length / scene_.media->fastest().c0, key = "courant";
     const std::string place = scene_.file + ": /integrator/" + key;
     if (!std::isfinite(dt)) throw Error(Fault::input, place, "no stable limit is known for this set", "Give dt or courant");
     if (summary_.dt_limit == 0 && !choice.allow_unstable)
@@ -79,7 +78,7 @@ void Simulation::fix_step() {
     summary_.steps = long(steps);
     summary_.dt = scene_.until / steps;
     if (summary_.dt <= summary_.dt_limit * (1 + 1e-9)) return;
-    const double courant = scene_.medium.c0 / scene_.box.dx;
+    const double courant = scene_.media->fastest().c0 / scene_.box.dx;
     const std::string problem = "the step " + shown(summary_.dt) + " s (c0 dt/dx = " + shown(summary_.dt * courant) +
                                 ") is beyond the stable limit " + shown(summary_.dt_limit) +
                                 " s (c0 dt/dx = " + shown(summary_.dt_limit * courant) + ")";

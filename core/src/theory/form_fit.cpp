@@ -46,6 +46,7 @@ LatticeWeights half_ball(int dimension, double reach) {
     return all;
 }
 
+/// For a medium in which c0 dt/dx is `courant`.
 std::shared_ptr<const LatticeWeights> fitted(const Case& scene, const abi::Form& form, double courant) {
     auto weights = std::make_shared<LatticeWeights>(half_ball(scene.box.dimension, form.reach()));
     std::vector<int> by_axis[3];
@@ -74,12 +75,13 @@ void fit_forms(Case& scene) {
         step.courant = usual_courant[scene.box.dimension];
         step.courant_length = scene.box.dx;
     }
-    const double dt = scene.whole_step(step.dt ? *step.dt : *step.courant * step.courant_length / scene.medium.c0);
-    std::map<std::string, std::shared_ptr<const LatticeWeights>> known;
+    const double dt = scene.whole_step(step.dt ? *step.dt : *step.courant * step.courant_length / scene.media->fastest().c0);
+    std::map<std::string, std::vector<std::shared_ptr<const LatticeWeights>>> known;
     for_fitted(scene, [&](Term& term, const std::string& place) {
         try {
             auto& weights = known[term.form_text];
-            if (!weights) weights = fitted(scene, *term.form, scene.medium.c0 * dt / scene.box.dx);
+            if (weights.empty())
+                for (const abi::Medium& m : scene.media->list()) weights.push_back(fitted(scene, *term.form, m.c0 * dt / scene.box.dx));
             term.fitted = weights;
         } catch (const std::invalid_argument& e) {
             throw Error(Fault::input, place, e.what());

@@ -97,12 +97,12 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
 
 }    // namespace
 
-TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity) {
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity, int medium) {
     double vector[3] = {0, 0, 0};
     for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
-    const Symbol A = symbol(scene, vector, viscosity);
+    const Symbol A = symbol(scene, vector, viscosity, medium);
     const Symbol map = ModeSystem(scene, A).one_step_map(*scene.integrator, dt);
-    const std::complex<double> exact = std::polar(1.0, k * scene.medium.c0 * dt);
+    const std::complex<double> exact = std::polar(1.0, k * scene.media->list()[std::size_t(medium)].c0 * dt);
     std::complex<double> best = 0;
     for (const auto& root : eigenvalues(map.n, map.a.data()))
         if (std::abs(root - exact) < std::abs(best - exact)) best = root;
@@ -114,7 +114,8 @@ Prediction predict(const Case& scene, const Summary& prepared) {
     out.memory_bytes = prepared.memory_bytes;
     out.cpu_s = predicted_seconds(scene, prepared, is_viscous(scene));
     if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
-    if (scene.method->meshfree() && scene.arrangement->regular()) {
+    if (scene.media->several()) out.basis = "speed and l2: known for one medium only; ";
+    if (scene.method->meshfree() && scene.arrangement->regular() && !scene.media->several()) {
         const auto waves = waves_of(scene);
         const double x_axis[3] = {1, 0, 0};
         out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->direction) - 1;

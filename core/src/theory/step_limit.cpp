@@ -21,8 +21,8 @@ struct Mode {
     double decay;        ///< most negative real part [1/s]
 };
 
-Mode make_mode(const Case& scene, const double* k) {
-    Mode mode{symbol(scene, k), 0, 0};
+Mode make_mode(const Case& scene, const double* k, int medium) {
+    Mode mode{symbol(scene, k, 1, medium), 0, 0};
     for (const auto& value : eigenvalues(mode.symbol.n, mode.symbol.a.data())) {
         mode.frequency = std::max(mode.frequency, std::abs(value));
         mode.decay = std::min(mode.decay, value.real());
@@ -49,7 +49,7 @@ void climb(const Case& scene, std::vector<double>& k, double step, Value value) 
 }
 
 /// Wave vectors of one octant (the operators are even in each k_a), then the most demanding of them refined.
-std::vector<Mode> demanding_modes(const Case& scene) {
+std::vector<Mode> demanding_modes(const Case& scene, int medium) {
     constexpr int samples[4] = {0, 400, 32, 14};
     const int d = scene.box.dimension, n = samples[d];
     const double step = std::acos(-1.0) / scene.box.dx / n;
@@ -60,19 +60,27 @@ std::vector<Mode> demanding_modes(const Case& scene) {
         std::vector<double> k(3, 0.0);
         long rest = i;
         for (int a = 0; a < d; ++a, rest /= n + 1) k[std::size_t(a)] = double(rest % (n + 1)) * step;
-        all.emplace_back(make_mode(scene, k.data()), k);
+        all.emplace_back(make_mode(scene, k.data(), medium), k);
     }
     std::vector<Mode> chosen;
     const auto refine = [&](auto measure) {
         auto k = std::max_element(all.begin(), all.end(), [&](auto& a, auto& b) { return measure(a.first) < measure(b.first); })->second;
-        climb(scene, k, step / 2, [&](const std::vector<double>& at) { return measure(make_mode(scene, at.data())); });
-        chosen.push_back(make_mode(scene, k.data()));
+        climb(scene, k, step / 2, [&](const std::vector<double>& at) { return measure(make_mode(scene, at.data(), medium)); });
+        chosen.push_back(make_mode(scene, k.data(), medium));
     };
     refine([](const Mode& m) { return m.frequency; });
     refine([](const Mode& m) { return -m.decay; });
     std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.first.frequency > b.first.frequency; });
     for (std::size_t i = 0; i < all.size(); i += std::max<std::size_t>(1, all.size() / 24)) chosen.push_back(std::move(all[i].first));
     return chosen;
+}
+
+/// Those of the medium with the highest frequency.
+std::vector<Mode> demanding_modes(const Case& scene) {
+    std::vector<Mode> most = demanding_modes(scene, 0);
+    for (int m = 1; m < int(scene.media->list().size()); ++m)
+        if (auto modes = demanding_modes(scene, m); modes.front().frequency > most.front().frequency) most = std::move(modes);
+    return most;
 }
 
 double worst_root(const Case& scene, const std::vector<Mode>& modes, double dt) {

@@ -28,8 +28,8 @@ std::vector<int> rows_of(const Equations& e, int dimension, int& count) {
 /// Value of a variable at rest: densities are rho0, all else is zero.
 double at_rest(const Case& scene, int v) { return v == scene.equations.density ? scene.medium.rho0 : 0; }
 
-double rest_coefficient(const Case& scene, const Term& term) {
-    double value = term.coefficient;
+double rest_coefficient(const Case& scene, const Term& term, int medium) {
+    double value = term.coefficient[std::size_t(medium)];
     for (const Factor& f : term.factors) value *= std::pow(at_rest(scene, f.variable), f.power);
     return value;
 }
@@ -41,11 +41,12 @@ double phase(const Case& scene, const Offset& n, const double* k) {
 }
 
 void add_derivative(const Case& scene, const Term& term, const std::vector<Offset>& all, const double* k, int row,
-                    const std::vector<int>& rows, const Matrix& A) {
-    const double other = rest_coefficients(*term.form, derivative(term), scene.medium).other;
+                    const std::vector<int>& rows, int medium, const Matrix& A) {
+    const abi::Medium& m = scene.media->list()[std::size_t(medium)];
+    const double other = rest_coefficients(*term.form, derivative(term), m, m).other;
     const auto [base, slope] = scene.behind(term.operand);
-    const double factor = 2 * other * slope * rest_coefficient(scene, term);
-    for (const Offset& n : half_neighbours(weighted_neighbours(scene, term, all))) {
+    const double factor = 2 * other * slope * rest_coefficient(scene, term, medium);
+    for (const Offset& n : half_neighbours(weighted_neighbours(scene, term, all, medium))) {
         const double s = std::sin(phase(scene, n, k));
         for (int a = 0; a < scene.box.dimension; ++a) {
             const double entry = factor * n.gradient[a] * s;
@@ -78,7 +79,7 @@ double largest_frequency(const Symbol& s) {
 
 }    // namespace
 
-Symbol symbol(const Case& scene, const double* k, double viscosity) {
+Symbol symbol(const Case& scene, const double* k, double viscosity, int medium) {
     Symbol result;
     const Equations& e = scene.equations;
     const std::vector<int> rows = rows_of(e, scene.box.dimension, result.n);
@@ -92,7 +93,7 @@ Symbol symbol(const Case& scene, const double* k, double viscosity) {
             if (term.op == Term::Operator::viscosity)
                 add_viscosity(scene, term, neighbours, k, rows[v], viscosity, A);
             else
-                add_derivative(scene, term, neighbours, k, rows[v], rows, A);
+                add_derivative(scene, term, neighbours, k, rows[v], rows, medium, A);
         }
     return result;
 }

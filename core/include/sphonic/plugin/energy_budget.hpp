@@ -26,9 +26,10 @@ public:
         const double length = std::sqrt(had_) + std::sqrt(energy_of_rate) * dt;
         had_ = length * length;
     }
-    /// Values were imposed whose squares, times `inertia` (1/K for p, rho0 for u), are energy densities.
+    /// A value was imposed whose square, times `inertia` (1/K for p, rho0 for u), is an energy density.
+    void imposed(double value, double inertia) { density_ = std::max(density_, inertia * value * value); }
     void imposed(const std::vector<double>& values, double inertia) {
-        for (const double v : values) density_ = std::max(density_, inertia * v * v);
+        for (const double v : values) imposed(v, inertia);
     }
     /// At time t [s].
     double bound(double t) const {
