@@ -1,7 +1,7 @@
+#include <sphonic/plugin/direction.hpp>
 #include <sphonic/plugin/source.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 
 /// p = amplitude sin(omega t - k . (x - phase_origin)), k = omega/c0 along `direction`; u = direction p / (rho0 c0), with c0 and
 /// rho0 at phase_origin.
@@ -26,16 +26,12 @@ struct PlaneWaveSource final : abi::Source {
 
     void prepare(const abi::SourceScene& scene) override {
         const int dimension = scene.dimension;
-        const auto fits = [&](const Vector& v) { return v.size == 0 || v.size == dimension; };
-        if (!fits(direction)) throw std::invalid_argument("direction needs one component per dimension");
-        if (!fits(phase_origin)) throw std::invalid_argument("phase_origin needs one component per dimension");
-        if (direction.size == 0) direction = {{1, 0, 0}, dimension};
-        const double length = std::hypot(direction.v[0], direction.v[1], direction.v[2]);
-        if (!(length > 0)) throw std::invalid_argument("direction has no length: give a vector other than zero");
+        require_components("phase_origin", phase_origin, dimension);
+        const Vector along = unit_direction(direction, dimension);
         emitted.amplitude = amplitude;
         emitted.omega = omega;
         for (int a = 0; a < 3; ++a) {
-            emitted.direction[a] = direction.v[a] / length;
+            emitted.direction[a] = along.v[a];
             emitted.origin[a] = phase_origin.v[a];
         }
         const abi::Medium medium = scene.media.at(dimension, emitted.origin, scene.medium);
