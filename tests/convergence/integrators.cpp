@@ -1,4 +1,8 @@
 /// Orders of the integrators from p and u given at the same time.
+#include <algorithm>
+
+#include <sphonic/stability.hpp>
+
 #include "../support/scene.hpp"
 
 using namespace sphonic;
@@ -52,4 +56,25 @@ TEST_CASE("leapfrog from p and u at t = 0 is velocity Verlet, symplectic Euler i
     const double coarse = difference_at(400, "leapfrog", "symplectic_euler");
     const double fine = difference_at(800, "leapfrog", "symplectic_euler");
     CHECK(std::log2(coarse / fine) == Approx(1).margin(0.02));
+}
+
+TEST_CASE("schemes with u at half steps begin without an error of the second order", "[convergence]") {
+    const double u = 0.1, k = 2 * testing::pi, along[3] = {1, 0, 0};
+    for (const std::string integrator : {"leapfrog", "velocity_verlet"}) {
+        const auto error = [&](double courant) {
+            const std::vector<std::string> set{"/integrator/type=" + integrator, "/integrator/courant=" + Json(courant).dump(), "/initial/u=[\"0.1*sin(2*pi*x)\"]"};
+            const Case probe = scene(periodic_box(1, 12), set);
+            std::vector<std::string> all = set;
+            all.push_back("/until=" + Json(0.5 * testing::pi / (probe.medium.c0 * dispersion(probe, k, along))).dump());    // a quarter of the set's own period
+            const Case c = scene(periodic_box(1, 12), all);
+            Simulation simulation(c);
+            simulation.run();
+            const Profile now = simulation.profile();
+            const double loudest = *std::max_element(now.p.begin(), now.p.end());
+            return std::abs(loudest / (c.medium.rho0 * c.medium.c0 * u) - 1);
+        };
+        INFO(integrator);
+        CHECK(error(0.8) < 1e-3);    // (omega dt)^2/8 is 0.02
+        CHECK(std::log2(error(0.8) / error(0.4)) > 3.7);
+    }
 }

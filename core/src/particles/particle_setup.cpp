@@ -62,4 +62,9 @@ void ParticleSystem::initialise() {
     settle(abi::everything, 0);
 }
 
+void ParticleSystem::forget_walls() {
+    tier_->restart();
+    settle(abi::everything, 0);
+}
+
 }    // namespace sphonic

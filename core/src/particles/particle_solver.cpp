@@ -22,6 +22,8 @@ public:
         dt_ = dt;
         match_tones();
         system_.initialise();
+        scene_.integrator->begin(system_, dt);
+        system_.forget_walls();
         system_.start_budget(energy(abi::Stagger::none));    // beyond its limit a staggered scheme's own may be negative
     }
     void step() override {

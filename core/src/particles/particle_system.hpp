@@ -28,6 +28,8 @@ public:
 
     /// Initial state at t = 0: the case's initial fields, sources' pressure and velocity, everything else at rest.
     void initialise();
+    /// The present state is that of t = 0: walls with memory begin with it.
+    void forget_walls();
 
     const Tier& tier() const { return *tier_; }
     const Layout& layout() const { return tier_->layout(); }

@@ -50,6 +50,8 @@ public:
     static constexpr const char* kind = "integrator";
     virtual ~Integrator() = default;
 
+    /// Called once, before the first step of dt [s], with the values given at t = 0: makes of them what the scheme works with.
+    virtual void begin(System&, double) const {}
     virtual void step(System& system, const Step& step) const = 0;
     virtual Stagger stagger() const { return Stagger::none; }
 };
