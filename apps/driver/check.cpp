@@ -16,10 +16,13 @@ Json optional_json(const std::optional<double>& value) { return value ? Json(*va
 Json check_json(const Summary& s, const Prediction& p) {
     Json warnings = p.warnings;
     for (const std::string& warning : s.warnings) warnings.push_back(warning);
+    Json layers = Json::array();
+    for (const LayerReturn& layer : p.layers)
+        layers.push_back({{"face", layer.face}, {"omega", layer.omega}, {"normal_db", layer.normal}, {"oblique_db", layer.oblique}, {"oblique_angle", oblique_angle}});
     return {{"title", s.title}, {"particles", s.particles}, {"tier", s.tier}, {"neighbours_mean", s.neighbours_mean},
             {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak},
             {"predicted", {{"l2", optional_json(p.l2)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
-                           {"memory_bytes", p.memory_bytes}, {"basis", p.basis}}},
+                           {"memory_bytes", p.memory_bytes}, {"basis", p.basis}, {"layers", layers}}},
             {"warnings", warnings}};
 }
 
@@ -42,6 +45,9 @@ int check(const RunOptions& options) {
                 s.weak ? "grows at any step, by less than e^12 in this run up to" : "stable to", s.dt_limit, s.dt_limit * courant);
     if (p.speed_error) std::printf("  predicted speed of long waves: %+.3g %%\n", 100 * *p.speed_error);
     if (p.l2) std::printf("  predicted L2 error: %.3g\n", *p.l2);
+    for (const LayerReturn& layer : p.layers)
+        std::printf("  the layer at %s returns %.1f dB at right angles, %.1f dB at %g degrees (at %.3g rad/s)\n", layer.face.c_str(), layer.normal, layer.oblique,
+                    oblique_angle, layer.omega);
     std::printf("  predicted cost: %.3g s of CPU, %.3g MB\n", p.cpu_s, 1e-6 * p.memory_bytes);
     for (const std::string& warning : s.warnings) log::warn(scene.file + ": " + warning);
     for (const std::string& warning : p.warnings) log::warn(scene.file + ": " + warning);

@@ -7,12 +7,30 @@
 
 namespace sphonic {
 
+/// What comes back from a layer that damps, in dB below what meets it.
+struct LayerReturn {
+    std::string face;                  ///< such as "x_max"
+    double omega;                      ///< of the sound [rad/s]
+    double normal = 0, oblique = 0;    ///< at right angles, and at `oblique_angle` to them [dB]
+};
+inline constexpr double oblique_angle = 60;    ///< [degrees]
+
+/// The amplitude that a layer on a face returns of a plane wave of frequency omega [rad/s] at an angle [rad] to the normal, over
+/// the wave's: that of the continuous equations
+///   (i omega + sigma) p = -rho0 c0^2 div u,   (i omega + sigma) rho0 u = -grad p
+/// along the normal, `thickness` [m] before a rigid wall.
+double layer_return(const abi::Boundary& layer, const abi::Medium& medium, double thickness, double omega, double angle);
+
+/// Those of all faces, in the first medium.
+std::vector<LayerReturn> layer_returns(const Case& scene);
+
 /// What a case will give, from theory alone.
 struct Prediction {
     std::optional<double> speed_error;    ///< of a long wave along the source's direction: c/c0 - 1, as the step goes to zero
     std::optional<double> l2;             ///< phase and amplitude error of the sources' waves over c0 * until
     double cpu_s = 0;                     ///< from the tier's cost per pair on the reference machine
     double memory_bytes = 0;
+    std::vector<LayerReturn> layers;      ///< at the lowest tone of the sources, else where the layer is a wavelength thick
     std::vector<std::string> warnings;
     std::string basis;                    ///< what l2 and cpu_s rest on
 };

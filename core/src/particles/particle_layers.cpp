@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "mirror_particles.hpp"
 #include "parallel.hpp"
 #include "particle_system.hpp"
 
@@ -12,7 +13,7 @@ void ParticleSystem::enlist_layers() {
         double rate = 0;
         for (int a = 0; a < scene_.box.dimension; ++a)
             for (const bool upper : {false, true}) {
-                const double distance = upper ? scene_.box.upper[a] - x_[a][i] : x_[a][i] - scene_.box.lower[a];
+                const double distance = std::abs(end_of_set(scene_, a, upper) - x_[a][i]);
                 if (const abi::Boundary* face = scene_.face(a, upper)) rate += face->damping(distance, media_.of(long(i)));
             }
         if (rate > 0) layers_.push_back({index[i], rate});

@@ -112,6 +112,7 @@ TravellingMode travelling_mode(const Case& scene, double k, const double* direct
 Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
+    out.layers = layer_returns(scene);
     out.cpu_s = predicted_seconds(scene, prepared, is_viscous(scene));
     if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
     if (scene.media->several()) out.basis = "speed and l2: known for one medium only; ";
