@@ -130,6 +130,8 @@ TEST_CASE("a study file that says something else than it may is refused where it
          R"(/charts/0/x: "alhpa" is no dimension of this study. Did you mean "alpha"?)"},
         {two + R"(, "charts": [ { "type": "value", "name": "c", "x": "step" } ])",
          "/charts/0/x: no point has a number at step. Name a dimension with numbers or a pointer to one"},
+        {two + R"(, "charts": [ { "type": "value", "name": "c", "x": "alpha", "x_log": true, "order": 2 } ])",
+         "/charts/0/order: a slope shows on logarithmic axes only. Set x_log and y_log too, or leave it out"},
         {two + R"(, "charts": [ { "type": "value", "name": "../c", "x": "alpha" } ])",
          R"(/charts/0/name: "../c" is no file name. Use letters, digits, - and _)"},
         {two + R"(, "printed": { "columns": ["alpha", "l2"], "rows": [[0.07, 1]] })",

@@ -36,6 +36,7 @@ struct StudyChart {
         group;    ///< the place that names the curve; empty: the dimensions other than x that have several values
     std::string x_label, y_label;
     bool x_log = false, y_log = false;
+    double order = 0;      ///< of a value chart on logarithmic axes: a triangle of this slope is drawn; 0: none
     double y_floor = 0;    ///< of a cost chart: what lies below is drawn here, with its value in its label
 };
 

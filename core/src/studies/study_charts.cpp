@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "study_parts.hpp"
 
@@ -27,6 +29,25 @@ std::vector<Series> series_of(const Study& study, const StudyChart& wish) {
     const auto x = [&](std::size_t i) { return at_place(study, study.points[i], wish.x).get<double>(); };
     for (Series& series : list) std::ranges::stable_sort(series.points, {}, x);
     return list;
+}
+
+/// A triangle of the order's slope below the lowest curve, over the middle of its width.
+std::optional<Curve> order_triangle(const std::vector<Curve>& curves, double order) {
+    constexpr double begin = 0.4, end = 0.7, below = 0.5;
+    const Curve* lowest = nullptr;
+    const auto plotted = [](const Curve& c) { return c.x.size() > 1 && c.x.front() > 0 && std::ranges::all_of(c.y, [](double y) { return y > 0; }); };
+    for (const Curve& curve : curves)
+        if (plotted(curve) && (!lowest || curve.y.front() < lowest->y.front())) lowest = &curve;
+    if (!lowest) return std::nullopt;
+    const double span = std::log(lowest->x.back() / lowest->x.front());
+    const double left = lowest->x.front() * std::exp(begin * span), right = lowest->x.front() * std::exp(end * span);
+    std::size_t next = 1;
+    while (lowest->x[next] < left && next + 1 < lowest->x.size()) ++next;
+    const double part = std::log(left / lowest->x[next - 1]) / std::log(lowest->x[next] / lowest->x[next - 1]);
+    const double y = below * std::exp(std::lerp(std::log(lowest->y[next - 1]), std::log(lowest->y[next]), part)), rise = y * std::pow(right / left, order);
+    const bool falls = order < 0;
+    return Curve{.label = "", .x = {left, right, falls ? left : right, left}, .y = {y, falls ? rise : y, falls ? rise : rise, y}, .style = Curve::Style::dashed,
+                 .point_labels = {"", "order " + readable(std::abs(order)), "", ""}};
 }
 
 /// A curve of ours for each series, and hollow points of the same colour for what is printed.
@@ -59,6 +80,8 @@ Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<
         panel.curves.push_back(std::move(ours));
         if (!printed.x.empty()) panel.curves.push_back(std::move(printed));
     }
+    if (wish.order != 0)
+        if (auto triangle = order_triangle(panel.curves, wish.order)) panel.curves.push_back(std::move(*triangle));
     return {.title = wish.title, .panels = {panel}};
 }
 

@@ -137,6 +137,9 @@ StudyChart read_chart(const Study& study, Section section) {
     } else {
         chart.x_log = read_flag(section, "x_log");
         chart.y_log = read_flag(section, "y_log");
+        chart.order = section.real(real_row("order", "1", -20, 20, "slope of the triangle beside the curves"));
+        if (chart.order != 0 && !(chart.x_log && chart.y_log))
+            section.fail("order", "a slope shows on logarithmic axes only", "Set x_log and y_log too, or leave it out");
         check_curves(study, chart, section);
     }
     section.finish();
