@@ -6,6 +6,7 @@
 
 #include <sphonic/simulation.hpp>
 
+#include "lattice_ghosts.hpp"
 #include "scenes.hpp"
 
 using namespace sphonic;
@@ -35,6 +36,29 @@ void lattice_1d_monaghan(benchmark::State& state) { steps(state, lattice(1, 2500
 void lattice_1d_h_equals_dx(benchmark::State& state) { steps(state, lattice(1, 2500, 1)); }
 void lattice_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1.3)); }
 void lattice_2d_monaghan(benchmark::State& state) { steps(state, lattice(2, 512, 1.3, {monaghan})); }
+const std::string rigid = R"(/boundaries=[{"type":"rigid","face":"all"}])";
+void lattice_2d_walls(benchmark::State& state) { steps(state, lattice(2, 512, 1.3, {rigid})); }
+void lattice_2d_walls_corrected(benchmark::State& state) { steps(state, lattice(2, 512, 1.3, {rigid, "/equations=corrected_acoustics"})); }
+void lattice_2d_walls_two_media(benchmark::State& state) {
+    steps(state, lattice(2, 512, 1.3, {rigid, "/equations=acoustics", R"(/medium=[{"c0":1,"rho0":1},{"c0":2,"rho0":3,"region":"x + y/3 > 300"}])"}));
+}
+
+/// What fills the ghosts of the three fields of lattice_2d_walls: a part of its step.
+void ghosts_2d(benchmark::State& state) {
+    const Case scene = lattice(2, 512, 1.3, {rigid});
+    const Components components(scene);
+    const ParticleMedia media(scene, 0, nullptr);
+    const Layout layout = Layout::grid(scene.box, 2);
+    LatticeGhosts ghosts(scene, components, media, layout, 1);
+    std::vector<Array> fields;
+    for (int c = 0; c < components.count; ++c) fields.emplace_back(std::size_t(layout.size));
+    const auto begin = Clock::now();
+    for (auto _ : state) {
+        for (int c = 0; c < components.count; ++c) ghosts.fill(c, fields[std::size_t(c)].data(), fields[0].data(), 0);
+        benchmark::ClobberMemory();
+    }
+    count(state, begin, 512. * 512);
+}
 void lattice_3d(benchmark::State& state) { steps(state, lattice(3, 64, 1.3)); }
 void moving_1d_monaghan(benchmark::State& state) { steps(state, lattice(1, 2500, 3.25, {monaghan, "/particles/motion=lagrangian"})); }
 void moving_2d_monaghan(benchmark::State& state) { steps(state, lattice(2, 128, 1.3, {monaghan, "/particles/motion=lagrangian"})); }
@@ -69,6 +93,10 @@ BENCHMARK(lattice_1d_monaghan);
 BENCHMARK(lattice_1d_h_equals_dx);
 BENCHMARK(lattice_2d);
 BENCHMARK(lattice_2d_monaghan);
+BENCHMARK(lattice_2d_walls);
+BENCHMARK(lattice_2d_walls_corrected);
+BENCHMARK(lattice_2d_walls_two_media);
+BENCHMARK(ghosts_2d);
 BENCHMARK(lattice_3d);
 BENCHMARK(moving_1d_monaghan);
 BENCHMARK(moving_2d_monaghan);
