@@ -58,19 +58,19 @@ void write_new(const fs::path& file, const std::string& text) {
 }
 
 /// The commands of a new plugin's first minutes; `tree` is empty if its source lies outside one.
-std::vector<std::string> next_steps(const std::string& kind, const std::string& name, const std::string& set, const fs::path& tree) {
+std::vector<std::string> next_steps(const std::string& kind, const std::string& name, const Scaffold& made, const fs::path& tree) {
     const std::string plugin = kind + " " + name;
-    const std::string option = " --set " + (set.find('{') == set.npos ? set : "'" + set + "'");
+    const std::string option = " --set " + (made.set.find('{') == made.set.npos ? made.set : "'" + made.set + "'");
     if (tree.empty()) {
         const std::string path = " --plugin-path FOLDER";
         return {"build it through the CMake target sphonic::plugin as FOLDER/" + kind + "." + name + ".so, or move it to plugins/" +
                     folder_of(kind) + " of the source tree, where apps/sphonic builds it",
-                "sphonic describe " + plugin + path, "sphonic check cases/li2015/propagation.json" + option + path};
+                "sphonic describe " + plugin + path, "sphonic check " + made.scene + option + path};
     }
-    const auto from_here = [&](const char* file) { return (tree / file).lexically_proximate(fs::current_path()).string(); };
+    const auto from_here = [&](const std::string& file) { return (tree / file).lexically_proximate(fs::current_path()).string(); };
     const std::string sphonic = from_here("apps/sphonic");
     return {sphonic + " describe " + plugin + "    builds it and shows its parameters",
-            sphonic + " check " + from_here("cases/li2015/propagation.json") + option,
+            sphonic + " check " + from_here(made.scene) + option,
             sphonic + " test -R contract    the laws that every plugin obeys"};
 }
 
@@ -93,9 +93,9 @@ int new_plugin(const Common& options, const std::string& kind, const std::string
     const fs::path file = (folder.empty() ? home.lexically_proximate(fs::current_path()) : folder) / (name + ".cpp");
     write_new(file, made->source);
 
-    const auto steps = next_steps(kind, name, made->set, at_home ? tree : fs::path());
+    const auto steps = next_steps(kind, name, *made, at_home ? tree : fs::path());
     if (options.json) {
-        std::cout << json_text({{"kind", kind}, {"name", name}, {"file", file.string()}, {"set", made->set}, {"next", steps}});
+        std::cout << json_text({{"kind", kind}, {"name", name}, {"file", file.string()}, {"set", made->set}, {"scene", made->scene}, {"next", steps}});
         return 0;
     }
     std::printf("%s\nNext:\n", file.c_str());

@@ -9,6 +9,7 @@ namespace {
 
 struct Text {
     std::string_view kind, set, source;
+    std::string_view scene = "cases/li2015/propagation.json";    ///< where it can be tried
 };
 
 constexpr Text kernel{"kernel", "/kernel/type=NAME", R"(#include <sphonic/plugin/kernel.hpp>
@@ -63,6 +64,26 @@ struct Model {
 };
 
 SPHONIC_VISCOSITY("NAME", Model, "Linear artificial viscosity for approaching pairs")
+)"};
+
+constexpr Text dissipation{"dissipation", R"(/dissipation={"type":"NAME"})", R"(#include <sphonic/plugin/dissipation.hpp>
+
+/// a_ij = c V_j |dW/dr| exp(-(r/R h)^2): near pairs more than far ones.
+struct Model {
+    double radius = 2;
+
+    static constexpr auto parameters() {
+        return std::array{real("radius", &Model::radius, "1", 0.5, infinite, "radius R of the coupling in units of h")};
+    }
+
+    double operator()(const DampedPair& ij) const {
+        const double q = ij.r / (radius * ij.h);
+        return ij.c * ij.V * std::abs(ij.dW) * exp(-q * q);
+    }
+    double strength(double disorder) const { return std::min(3.5 * disorder, 10.0); }
+};
+
+SPHONIC_DISSIPATION("NAME", Model, "Fourth-order dissipation of near pairs")
 )"};
 
 constexpr Text form{
@@ -215,6 +236,33 @@ struct Model final : abi::Boundary {
 SPHONIC_BOUNDARY("NAME", Model, "Nothing beyond the last particle")
 )"};
 
+constexpr Text shape{"shape", R"(/obstacles=[{"type":"NAME","centre":[1,0.5],"radius":0.2}])", R"(#include <sphonic/plugin/shape.hpp>
+
+/// |x - centre| = radius, in any number of dimensions.
+struct Model final : abi::Shape {
+    Vector centre;
+    double radius = 0;
+
+    static constexpr auto parameters() {
+        return std::array{vector("centre", &Model::centre, "m", -infinite, infinite, "the origin if not given"),
+                          real("radius", &Model::radius, "m", positive, infinite, "distance of the surface from the centre")};
+    }
+
+    void prepare(const abi::ShapeScene&) override {}
+    void measure(const abi::Points& points, double* distance, double* const normal[3]) const override {
+        for (int i = 0; i < points.n; ++i) {
+            double r[3] = {};
+            for (int a = 0; a < points.dimension; ++a) r[a] = points.x[a][i] - centre.v[a];
+            const double length = std::hypot(r[0], r[1], r[2]);
+            distance[i] = length - radius;
+            for (int a = 0; a < points.dimension; ++a) normal[a][i] = length > 0 ? r[a] / length : a == 0;
+        }
+    }
+};
+
+SPHONIC_SHAPE("NAME", Model, "A ball")
+)", "cases/scenes/pulse_2d.json"};
+
 constexpr Text method{"method", "/method/type=NAME", R"(#include <sphonic/plugin/method.hpp>
 
 /// The runtime's own particles.
@@ -226,7 +274,7 @@ struct Model final : abi::Method {
 SPHONIC_METHOD("NAME", Model, "Kernel, equations and integrator of the case")
 )"};
 
-constexpr Text all[] = {kernel, viscosity, form, state, source, reference, integrator, arrangement, boundary, method};
+constexpr Text all[] = {kernel, viscosity, dissipation, form, state, source, reference, integrator, arrangement, boundary, shape, method};
 
 /// "plane_wave" of the kind "source" is PlaneWaveSource: with the kind it is no name of the plugin headers.
 std::string struct_name(const std::string& kind, const std::string& name) {
@@ -250,7 +298,7 @@ std::optional<Scaffold> scaffold(const std::string& kind, const std::string& nam
     for (const Text& text : all) {
         if (text.kind != kind) continue;
         const std::string model = replaced(std::string(text.source), "Model", struct_name(kind, name));
-        return Scaffold{.source = replaced(model, "NAME", name), .set = replaced(std::string(text.set), "NAME", name)};
+        return Scaffold{.source = replaced(model, "NAME", name), .set = replaced(std::string(text.set), "NAME", name), .scene = std::string(text.scene)};
     }
     return std::nullopt;
 }

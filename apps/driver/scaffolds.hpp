@@ -4,9 +4,9 @@
 
 namespace sphonic::driver {
 
-/// The source of a new plugin, and the --set that puts it into cases/li2015/propagation.json.
+/// The source of a new plugin, and the --set that puts it into a case of the repository.
 struct Scaffold {
-    std::string source, set;
+    std::string source, set, scene;
 };
 
 /// Nothing for a kind that has no scaffold. `name` is lower_snake_case.

@@ -52,10 +52,12 @@ Json case_members() {
         {"method", reference("method")},
         {"particles", reference("arrangement")},
         {"boundaries", list_of(reference("boundary"))},
+        {"obstacles", described(list_of(reference("shape")), "bodies cut out of a set that does not move, with walls")},
         {"kernel", described(reference("kernel"), "of every term that names none")},
         {"kernels", described(kernels, "kernels that terms name")},
         {"equations", described(reference("equations"), "a preset's name, or the assembly")},
         {"viscosity", described(reference("viscosity"), "added to the equation of u")},
+        {"dissipation", described(reference("dissipation"), "added to the equations of p and u")},
         {"sources", list_of(reference("source"))},
         {"initial", described(initial_schema(), "expressions of each variable's values at t = 0")},
         {"integrator", reference("integrator")},
@@ -77,13 +79,14 @@ Json dimension_rule(const Plugins& plugins, int d) {
     return rule(where("dimension", object({{"const", d}})),
                 members(object({{"particles", members(particles)},
                                 {"boundaries", object({{"items", face}})},
+                                {"obstacles", object({{"items", members(vectors_of(plugins, "shape", fits))}})},
                                 {"sources", object({{"items", members(vectors_of(plugins, "source", fits))}})},
                                 {"reference", members(vectors_of(plugins, "reference", fits))},
                                 {"initial", members(object({{"u", fits}, {"U", fits}}))},
                                 {"output", members(object({{"probes", object({{"items", fits}})}}))}})));
 }
 
-/// Methods without particles need no kernel and no equations.
+/// Methods without particles need no kernel and no equations, and know no obstacles.
 Json method_rule(const Plugins& plugins, Registry& registry) {
     Json without = Json::array();
     if (const auto found = plugins.find("method"); found != plugins.end())
@@ -93,14 +96,15 @@ Json method_rule(const Plugins& plugins, Registry& registry) {
     Json needs = requiring({"equations"});
     needs["properties"] = object({{"equations", requiring({"p", "u"})}});
     needs["anyOf"] = Json::array({requiring({"kernel"}), some});
-    return object({{"if", where("method", where("type", object({{"enum", without}})))}, {"then", true}, {"else", needs}});
+    const Json open = object({{"properties", object({{"obstacles", object({{"maxItems", 0}})}})}});
+    return object({{"if", where("method", where("type", object({{"enum", without}})))}, {"then", open}, {"else", needs}});
 }
 
 Json case_schema(const Plugins& plugins, Registry& registry) {
     Json schema = object({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                           {"title", std::string("A case of sphonic ") + version()}});
     schema.update(closed(case_members(), {"dimension", "medium", "particles", "integrator", "until"}));
-    schema["dependentRequired"] = object({{"viscosity", Names{"equations"}}});
+    schema["dependentRequired"] = object({{"viscosity", Names{"equations"}}, {"dissipation", Names{"equations"}}});
     schema["allOf"] = Json::array();
     for (int d = 1; d <= 3; ++d) schema["allOf"].push_back(dimension_rule(plugins, d));
     schema["allOf"].push_back(method_rule(plugins, registry));

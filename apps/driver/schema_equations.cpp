@@ -33,9 +33,13 @@ Json equations_schema(const Plugins& plugins) {
         return closed(members, {key});
     };
     const auto rates = [](const Json& of) { return with(list_of(of), "minItems", 1); };
-    const Json of_vector =
-        rates(term({{"gradient", derivative("gradient")}, {"viscosity", named_plugin(plugins, "viscosity", "viscosity", kernel)}}));
-    const Json of_scalar = rates(term({{"divergence", derivative("divergence")}}));
+    Json damped = rows_of("dissipation");
+    damped.update(kernel);
+    const Json dissipation = named_plugin(plugins, "dissipation", "dissipation", damped);
+    const Json of_vector = rates(term({{"gradient", derivative("gradient")},
+                                       {"viscosity", named_plugin(plugins, "viscosity", "viscosity", kernel)},
+                                       {"dissipation", dissipation}}));
+    const Json of_scalar = rates(term({{"divergence", derivative("divergence")}, {"dissipation", dissipation}}));
     const Json state = named_plugin(plugins, "state", "state", object({{"of", variable}}), {"of"});
     const Json groups = list_of(with(list_of(string), "minItems", 1));
     const Json order = described(groups, "groups in which splitting integrators advance variables and x");

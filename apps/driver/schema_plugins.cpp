@@ -72,7 +72,7 @@ Json named_plugin(const Plugins& plugins, const std::string& kind, const std::st
 
 Json kind_schemas(const Plugins& plugins, Registry& registry) {
     Json defs = Json::object();
-    for (const char* kind : {"viscosity", "reference", "method", "kernel", "boundary", "arrangement", "integrator"})
+    for (const char* kind : {"viscosity", "dissipation", "reference", "method", "kernel", "boundary", "shape", "arrangement", "integrator"})
         defs[kind] = typed_plugin(plugins, kind);
     defs["source"] = typed_plugin(plugins, "source", imposing(plugins, registry));
     defs["boundary"]["properties"]["face"] = object({{"enum", faces(3)}});

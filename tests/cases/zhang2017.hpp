@@ -30,7 +30,7 @@ struct Tone {
 
     Tone(const Case& c, double dt) : t(c.until), start(inflow + 3 * c.box.dx) {
         const double along[3] = {1, 0, 0}, e = 1e-4;
-        const auto frequency = [&](double at) { return travelling_mode(c, at, along, dt, 0).omega; };
+        const auto frequency = [&](double at) { return travelling_mode(c, at, along, dt, undamped).omega; };
         late = omega - frequency(k);
         short_by = root_between(0.5 * k, 2 * k, [&](double at) { return frequency(at) - omega; }) - k;
         group = (frequency(k + e) - frequency(k - e)) / (2 * e);

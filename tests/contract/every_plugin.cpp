@@ -1,11 +1,13 @@
 /// What holds for plugins of every kind.
 #include <sphonic/plugin/abi/arrangement.hpp>
 #include <sphonic/plugin/abi/boundary.hpp>
+#include <sphonic/plugin/abi/dissipation.hpp>
 #include <sphonic/plugin/abi/form.hpp>
 #include <sphonic/plugin/abi/integrator.hpp>
 #include <sphonic/plugin/abi/kernel.hpp>
 #include <sphonic/plugin/abi/method.hpp>
 #include <sphonic/plugin/abi/reference.hpp>
+#include <sphonic/plugin/abi/shape.hpp>
 #include <sphonic/plugin/abi/source.hpp>
 #include <sphonic/plugin/abi/state.hpp>
 #include <sphonic/plugin/abi/viscosity.hpp>
@@ -29,8 +31,8 @@ std::set<std::string> create_all() {
 }    // namespace
 
 TEST_CASE("a plugin can be created with its defaults and at the ends of its ranges", "[plugin]") {
-    const auto created = create_all<abi::Arrangement, abi::Boundary, abi::Form, abi::Integrator, abi::Kernel,
-                                    abi::Method, abi::Reference, abi::Source, abi::State, abi::Viscosity>();
+    const auto created = create_all<abi::Arrangement, abi::Boundary, abi::Dissipation, abi::Form, abi::Integrator, abi::Kernel,
+                                    abi::Method, abi::Reference, abi::Shape, abi::Source, abi::State, abi::Viscosity>();
     const auto kinds = plugin_kinds();
     CHECK(created == std::set<std::string>(kinds.begin(), kinds.end()));
 }

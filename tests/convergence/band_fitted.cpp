@@ -123,7 +123,9 @@ TEST_CASE("fitted operators are refused where their weights do not hold", "[band
     };
     using Catch::Matchers::Contains;
     CHECK_THROWS_WITH(refusal({"/boundaries=[]"}), Contains("the face x_min is free"));
-    CHECK_THROWS_WITH(refusal({"/particles/jitter=0.1"}), Contains("a lattice that does not move"));
-    CHECK_THROWS_WITH(refusal({"/particles/neighbours=frozen"}), Contains("a lattice that does not move"));
+    CHECK_THROWS_WITH(refusal({"/boundaries=[]", "/particles/jitter=0.1"}), Contains("the face x_min is free"));
+    CHECK_THROWS_WITH(refusal({R"(/medium=[{"c0":2,"rho0":1.5},{"region":"x > 0.5","c0":3,"rho0":15}])", "/particles/jitter=0.1"}), Contains("hold in one medium"));
+    CHECK_THROWS_WITH(refusal({"/particles/motion=lagrangian"}), Contains("a set that does not move"));
+    CHECK_THROWS_WITH(refusal({"/particles/neighbours=moving"}), Contains("a set that does not move"));
     CHECK_NOTHROW(refusal({}));
 }

@@ -20,7 +20,7 @@ refused 2 'case.json: /particles/velocity: "p" is no vector of the equations. Na
 refused 2 'case.json: /$schema: 3 is not a string. Give a string' --set '/$schema=3'
 
 echo "--- types"
-for key in viscosity kernel kernels reference initial output particles integrator method; do
+for key in viscosity dissipation kernel kernels reference initial output particles integrator method; do
     refused 2 "case.json: /$key: [] is not an object. Write { ... } here" --set "/$key=[]"
     refused 2 "case.json: /$key: null is not an object. Write { ... } here" --set "/$key=null"
 done
@@ -135,7 +135,15 @@ refused 2 'case.json: /initial/p: "1/x" is not finite at x = 0.000000. Choose an
 refused 2 'case.json: /initial/p: "log(0)" is not finite at x = -1.000000. Choose an expression that is finite in the whole box' --set '/initial={"p":"log(0)"}'
 refused 2 'case.json: /sources/0/region: "x": this is a number, not a condition. Compare it with a number' --set '/sources/0/region=x'
 refused 2 'case.json: /equations/p/0/divergence: there is no variable "v". The equations have p, rho, u' --set "$(terms '{"divergence":"v","form":"difference"}')"
-refused 2 'case.json: /equations/p/0: the term has no operator. Give exactly one of divergence, gradient, viscosity' --set "$(terms '{"form":"difference"}')"
+refused 2 'case.json: /equations/p/0: the term has no operator. Give exactly one of divergence, gradient, viscosity, dissipation' --set "$(terms '{"form":"difference"}')"
+refused 2 'case.json: /dissipation: dissipation is given here and in /equations. Remove one of the two' --set '/dissipation={"type":"fourth_order","alpha":0.1}' --set '/equations={"p":[{"divergence":"u","form":"sum"}],"u":[{"gradient":"p","form":"sum"},{"dissipation":"fourth_order"}]}'
+refused 2 'case.json: /equations/q/0/dissipation: dissipation acts on sound, and "q" is not part of it. Put the term under u or p' --set "$(also '"q":[{"dissipation":"fourth_order","alpha":0.1}]')"
+refused 2 'case.json: /dissipation/type: there is no dissipation named "forth_order". Did you mean "fourth_order"?' --set '/dissipation={"type":"forth_order"}'
+refused 2 'case.json: /dissipation/alpha: -0.1 is out of range. alpha must be at least 0 and at most 10' --set '/dissipation={"type":"fourth_order","alpha":-0.1}'
+refused 2 'case.json: /dissipation/alpha: is missing, and the set is too small to work it out. Give the strength, such as 0.2' --set '/dissipation={"type":"fourth_order"}' --set '/particles/jitter=0.1' --set '/kernel={"type":"cubic_spline","h":1.5}'
+refused 2 'case.json: /particles/neighbours: "lattice" is a stencil, which does not do dissipation. Remove the dissipation, which lattices do not need, or use "auto"' --set '/dissipation={"type":"fourth_order","alpha":0.1}' --set /particles/neighbours=lattice
+refused 2 'case.json: /boundaries/0: its layers of virtual particles continue a stencil, which does not do dissipation. Remove the dissipation, which lattices do not need, or absorb by absorbing_layer' --set '/dissipation={"type":"fourth_order","alpha":0.1}' --set '/boundaries=[{"type":"absorbing_mur","face":"x_max"}]'
+refused 2 'case.json: /equations/p/0/form: this form'"'"'s weights are made for a lattice, which needs no dissipation. Use another form, or remove the dissipation' --set '/dissipation={"type":"fourth_order","alpha":0.1}' --set /equations=band_fitted_acoustics
 refused 2 'case.json: /equations/p/0/form: there is no form named "diference". Did you mean "difference"?' --set "$(terms '{"divergence":"u","form":"diference"}')"
 refused 2 'case.json: /equations/p/0/times: "rho1": "rho1" is unknown. Did you mean "rho0"?' --set "$(times '-rho1*c0^2')"
 refused 2 'case.json: /equations/p/0/times: "1-2*c0^2" is not a product. Write factors joined by * and /' --set "$(times '1-2*c0^2')"

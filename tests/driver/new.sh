@@ -41,9 +41,11 @@ for kind in $kinds; do
     said=$(compile "$kind" "sources/${kind}_sample.cpp" "plugins/$kind.${kind}_sample.so") \
         && ok "it compiles" || failed "it compiles" "$said"
     expect "it describes itself" 0 "$kind ${kind}_sample: *" describe "$kind" "${kind}_sample" --plugin-path plugins
-    set=$("$driver" new "$kind" "${kind}_sample" --dir "$(mktemp -d -p .)" --json | sed -n 's/^ *"set": "\(.*\)",$/\1/p' | sed 's/\\\(.\)/\1/g')
+    said=$("$driver" new "$kind" "${kind}_sample" --dir "$(mktemp -d -p .)" --json)
+    member() { sed -n 's/^ *"'"$1"'": "\(.*\)",$/\1/p' <<<"$said" | sed 's/\\\(.\)/\1/g'; }
+    set=$(member set) scene=$(member scene)
     expect "it runs in a case" 0 "*results in out_$kind*" \
-        run "$repository/cases/li2015/propagation.json" --plugin-path plugins --set "$set" --set /until=0.002 --out "out_$kind"
+        run "$repository/$scene" --plugin-path plugins --set "$set" --set /until=0.002 --out "out_$kind"
 done
 
 echo "--- laws"

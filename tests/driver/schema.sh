@@ -94,6 +94,7 @@ ABSENT = object()
 TERM = {"divergence": "u", "form": "difference", "times": "-rho0*c0^2"}
 BRAKED = [{"gradient": "p", "form": "sum", "times": "-1/rho0"}, {"viscosity": "monaghan", "alpha": 0.1}]
 POINT = {"type": "point", "omega": 100, "position": [1]}
+EDGE = {"type": "expression", "surface": "3 - x"}
 WAVE = {"type": "travelling_wave", "wave_number": [1]}
 DENSITY = {"drho": [TERM | {"times": "-rho0"}], "p": {"state": "acoustic", "of": "drho"}, "u": BRAKED[:1]}
 
@@ -139,6 +140,11 @@ changes = [
     [(("particles", "dx"), ABSENT)], [(("particles", "lower"), ABSENT)], [(("particles", "upper"), [4, 4])], [(("particles", "lower"), [])],
     [(("particles", "velocity"), "u")], [(("particles",), ABSENT)], [(("boundaries", 0, "face"), "y_max")],
     [(("boundaries", 0, "face"), "all")], [(("boundaries", 0, "face"), ABSENT)], [(("boundaries",), {})], [(("boundaries",), ABSENT)],
+    # obstacles
+    [(("obstacles",), [])], [(("obstacles",), {})], [(("obstacles",), [EDGE])], [(("obstacles",), [EDGE | {"type": "edge"}])],
+    [(("obstacles",), [EDGE | {"wall": "soft", "keep": "outside"}])], [(("obstacles",), [EDGE | {"wall": "hard"}])],
+    [(("obstacles",), [EDGE | {"keep": 1}])], [(("obstacles",), [EDGE | {"radius": 1}])], [(("obstacles",), [{"type": "circle"}])],
+    [(("obstacles",), [EDGE]), (("method",), {"type": "fdtd"})], [(("obstacles",), []), (("method",), {"type": "fdtd"})],
     # time
     [(("integrator", "dt"), 1e-6)], [(("integrator", "safety"), 0.5)], [(("integrator",), {"type": "rk4", "safety": 0.5, "dt": 1e-6})], [(("integrator", "courant"), ABSENT)],
     [(("integrator",), {"type": "rk4", "safety": 0.5})], [(("integrator",), {"type": "rk4", "safety": 1.5})],

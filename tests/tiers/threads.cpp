@@ -28,6 +28,7 @@ void same_bits(int dimension, int n, const std::vector<std::string>& set, double
 
 const std::string noisy = "/initial/p=sin(40*x+r) + 0.1*cos(1e4*x)";
 const std::string viscous = R"(/viscosity={"type":"monaghan","alpha":0.3})";
+const std::string damped = R"(/dissipation={"type":"fourth_order","alpha":0.3})";
 const std::string wide = "/kernel/h_over_dx=1.3";
 const std::string walls = "/boundaries=[" + face("all", "rigid") + "]", corrected = forms("corrected", "corrected_adjoint");
 const std::string source = R"(/sources=[{"type":"plane_wave","region":"x < 0.3","amplitude":1,"omega":30},
@@ -48,8 +49,12 @@ TEST_CASE("frozen and moving sets: the same bits for any number of threads", "[t
     for (int d = 1; d <= 3; ++d) {
         const int n = d == 3 ? 11 : 33;
         same_bits(d, n, {noisy, viscous, wide, "/particles/jitter=0.2"});
+        same_bits(d, n, {noisy, "/particles/jitter=0.2", "/equations=band_fitted_acoustics", "/integrator/type=leapfrog", "/integrator/courant=0.4"});
         same_bits(d, n, {noisy, viscous, wide, equations, lagrangian, "/medium/rho0=900"});
         same_bits(d, n, {noisy, viscous, wide, walls, "/particles/jitter=0.2"});
         same_bits(d, n, {noisy, viscous, wide, walls, corrected, lagrangian, "/medium/rho0=900"});
+        const int few = d == 3 ? 7 : 21;
+        same_bits(d, few, {noisy, wide, walls, damped, "/particles/jitter=0.2"});
+        same_bits(d, few, {noisy, wide, walls, damped, lagrangian, equations, "/medium/rho0=900"});
     }
 }

@@ -16,6 +16,7 @@
 #include <sphonic/plugin/abi/integrator.hpp>
 #include <sphonic/plugin/abi/method.hpp>
 #include <sphonic/plugin/abi/reference.hpp>
+#include <sphonic/plugin/abi/shape.hpp>
 #include <sphonic/plugin/abi/source.hpp>
 #include <sphonic/registry.hpp>
 
@@ -32,6 +33,21 @@ struct SourceUse {
     /// Writes 1 for each point in the region that the source reaches, else 0.
     void inside(const abi::Points& points, unsigned char* out) const;
     [[noreturn]] void reaches_nothing() const;
+};
+
+/// A body without particles. With `keep` "inside" the shape is what is left, and all around it is solid.
+struct Obstacle {
+    /// What its surface does to sound: u.n = 0, p = 0, or nothing.
+    enum class Wall { rigid, soft, free };
+
+    std::unique_ptr<abi::Shape> shape;
+    Wall wall = Wall::rigid;
+    bool keeps_inside = false;
+    std::string place{};    ///< for messages
+
+    bool walled() const { return wall != Wall::free; }
+    /// Distance [m] of points from the wall, positive where there is fluid, and the unit vector of the nearest wall point into it.
+    void measure(const abi::Box& box, const abi::Points& points, double* distance, double* const normal[3]) const;
 };
 
 /// A variable's values at t = 0, one expression per component.
@@ -70,6 +86,8 @@ struct Case {
     std::unique_ptr<abi::Arrangement> arrangement;
     double jitter = 0;    ///< in units of dx
     std::int64_t seed = 1;
+    std::vector<Obstacle> obstacles;
+    long particles = 0;    ///< of the arrangement, without those in obstacles
     Motion motion = Motion::frozen;
     std::string velocity_name = "u";    ///< the variable that moves the particles
     Neighbours neighbours = Neighbours::automatic;
@@ -96,8 +114,13 @@ struct Case {
 
     /// Initial values of a variable's component at points; false, and nothing written, if the case gives none.
     bool initial_values(const std::string& variable, int component, const abi::Points& points, double* out) const;
-    /// True where particles sit exactly on lattice sites.
-    bool regular() const { return arrangement->regular() && jitter == 0; }
+    /// True where particles sit exactly on all sites of a lattice.
+    bool regular() const { return arrangement->regular() && jitter == 0 && obstacles.empty(); }
+    /// True where neighbours are known by their offsets on a lattice.
+    bool on_lattice() const {
+        const bool automatic = neighbours == Neighbours::automatic && motion == Motion::frozen && regular();
+        return neighbours == Neighbours::lattice || (automatic && !equations.dissipate());
+    }
     /// The boundary of a face, or null.
     const abi::Boundary* face(int axis, bool upper) const {
         const int i = boundary_of[axis][upper];

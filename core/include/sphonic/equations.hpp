@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <sphonic/plugin/abi/dissipation.hpp>
 #include <sphonic/plugin/abi/form.hpp>
 #include <sphonic/plugin/abi/kernel.hpp>
 #include <sphonic/plugin/abi/state.hpp>
@@ -34,15 +35,18 @@ struct LatticeWeights {
 
 /// One rate term: coefficient of the medium * (product of factors) * operator.
 struct Term {
-    enum class Operator { divergence, gradient, viscosity } op;
-    int operand = -1;                            ///< variable the operator acts on (the velocity, for viscosity)
+    enum class Operator { divergence, gradient, viscosity, dissipation } op;
+    int operand = -1;                            ///< variable the operator acts on (its own, for viscosity and dissipation)
     std::unique_ptr<abi::Form> form{};             ///< for divergence and gradient
     std::string form_text{};                       ///< as the case gives it: equal texts are equal forms
     std::unique_ptr<abi::Viscosity> viscosity{};
+    std::shared_ptr<const abi::Dissipation> dissipation{};    ///< its strength alpha is the coefficient
     int kernel = 0;                              ///< index into the kernels of the case
     std::vector<double> coefficient{1};          ///< by medium
     std::vector<Factor> factors{};
-    std::vector<std::shared_ptr<const LatticeWeights>> fitted{};    ///< by medium, where the form has weights of its own
+    /// By medium, where the form has weights of its own; on a cloud they are those of its lattice, by which it is judged.
+    std::vector<std::shared_ptr<const LatticeWeights>> fitted{};
+    double cancelled = 0;                        ///< c0 dt/dx of the leapfrog whose error in time a cloud's weights cancel; 0 for others
 };
 
 /// A variable of the equations: evolved by a sum of terms, or algebraic in another variable.
@@ -68,6 +72,8 @@ struct Equations {
 
     /// -1 if there is none of that name.
     int find(const std::string& name) const;
+    /// True if some term is a dissipation.
+    bool dissipate() const;
 };
 
 }    // namespace sphonic

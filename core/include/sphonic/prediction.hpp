@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <sphonic/simulation.hpp>
+#include <sphonic/stability.hpp>
 
 namespace sphonic {
 
@@ -39,11 +40,11 @@ struct Prediction {
 Prediction predict(const Case& scene, const Summary& prepared);
 
 /// One step's amplification of the travelling wave of wave number k [rad/m] along `direction`:
-/// its numerical frequency [rad/s] and decay rate [1/s], with the case's integrator at step dt. Viscosity is taken at
-/// `viscosity` times what it is when always on: Monaghan's acts half of the time.
+/// its numerical frequency [rad/s] and decay rate [1/s], with the case's integrator at step dt. Monaghan's viscosity acts half
+/// of the time: take half of it.
 struct TravellingMode {
     double omega, decay;
 };
-TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity, int medium = 0);
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, Damping damping, int medium = 0);
 
 }    // namespace sphonic

@@ -1,4 +1,5 @@
 #pragma once
+#include <complex>
 #include <optional>
 #include <vector>
 
@@ -13,15 +14,26 @@ struct Symbol {
     std::vector<double> a;
 };
 
-/// `k` [rad/m] has `dimension` entries. Viscosity enters as always switched on, times `viscosity`. In one of the case's media.
-Symbol symbol(const Case& scene, const double* k, double viscosity = 1, int medium = 0);
+/// What of the damping terms enters, as factors. Viscosity counts as always switched on.
+struct Damping {
+    double viscosity = 1, dissipation = 1;
+};
+inline constexpr Damping undamped{0, 0};
 
-/// Speed of a long wave along `direction` (unit vector), over c0: the limit of omega/(c0 k) for k -> 0, without viscosity.
-/// In the first medium.
+/// `k` [rad/m] has `dimension` entries. In one of the case's media.
+Symbol symbol(const Case& scene, const double* k, Damping damping = {}, int medium = 0);
+
+/// Speed of a long wave along `direction` (unit vector), over c0: the limit of omega/(c0 k) for k -> 0, undamped. In the first medium.
 double long_wave_speed(const Case& scene, const double* direction);
 
 /// omega(k)/c0 [rad/m] of the discrete operator along `direction`: its largest frequency at that wave vector, in the first medium.
 double dispersion(const Case& scene, double k, const double* direction);
+
+/// The equations of a case on its own particles, linearised at rest, over (component, particle): z' = A z with the dissipation times
+/// `dissipation`. Dense: for some hundred particles with a neighbour list, and without viscosity, which is not linear.
+Symbol assembled(const Case& scene, double dissipation = 1);
+/// Stability of a set: none may have a positive real part.
+std::vector<std::complex<double>> eigenvalues(const Symbol& matrix);
 
 /// Largest |eigenvalue| of the one-step map of the case's integrator over the sampled wave vectors, in the most demanding medium.
 double amplification(const Case& scene, double dt);
@@ -35,7 +47,12 @@ struct StepLimit {
 /// The largest omega dt that the case's integrator bears for an undamped oscillation of p and u; 0 where it grows at any step.
 double oscillator_limit(const Case& scene);
 
-/// The largest stable step of the case on its lattice, with viscosity always on, in the most demanding medium.
+/// The largest dt (omega + delta) that the case's integrator bears for oscillations of p and u of every ratio of their rate of decay
+/// delta > 0 to their frequency omega.
+double decaying_limit(const Case& scene);
+
+/// The largest stable step of the case on its lattice, with viscosity always on, in the most demanding medium. Dissipation counts where
+/// the particles are on that lattice.
 StepLimit step_limit(const Case& scene);
 
 /// True if the case's integrator passes through states within a step that it does not keep: walls with memory cannot follow it.

@@ -39,8 +39,8 @@ fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_pat
 }    // namespace
 
 std::span<const std::string> plugin_kinds() {
-    static const std::array<std::string, 10> kinds{"arrangement", "boundary",  "form",   "integrator", "kernel",
-                                                   "method",      "reference", "source", "state",      "viscosity"};
+    static const std::array<std::string, 12> kinds{"arrangement", "boundary",  "dissipation", "form",   "integrator", "kernel",
+                                                   "method",      "reference", "shape",       "source", "state",      "viscosity"};
     return kinds;
 }
 

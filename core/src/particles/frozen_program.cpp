@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frozen_weights.hpp"
+#include "frozen_dissipation.hpp"
 #include "parallel.hpp"
 #include "stencil.hpp"
 
@@ -111,13 +111,18 @@ public:
             std::vector<int> target;
             for (int c = 0; c < variable.components(set.scene.box.dimension); ++c) target.push_back(set.components.first[std::size_t(v)] + c);
             Share viscous{v, {}};
-            bool first = true;
+            bool first = true, damped = false;
             for (const Term& term : variable.terms) {
+                if (term.op == Term::Operator::dissipation) {
+                    dissipations_.emplace_back(set, weights, term);
+                    continue;
+                }
                 if (term.op == Term::Operator::viscosity) {
                     viscous.terms.push_back(&term);
                     continue;
                 }
                 derivatives_.emplace_back(set, weights, term, target, first);
+                if (!term.fitted.empty() && !damped) dampings_.emplace_back(set, weights.cloud().of(term), target), damped = true;
                 first = false;
             }
             if (!viscous.terms.empty()) pairwise.push_back(viscous);
@@ -127,22 +132,31 @@ public:
     }
 
     void evaluate(const Evaluation& e) override {
+        if (e.terms != Terms::dissipation_only) evaluate_others(e);
+        if (e.terms == Terms::without_dissipation) return;
+        for (FrozenDissipation& dissipation : dissipations_) dissipation.apply(e);
+    }
+
+private:
+    const PairSet& set_;
+    std::vector<FrozenDerivative> derivatives_;
+    std::vector<CloudDamping> dampings_;
+    std::vector<FrozenDissipation> dissipations_;
+    std::vector<int> still_;    ///< components without a derivative
+    std::unique_ptr<Program> pairwise_;
+
+    void evaluate_others(const Evaluation& e) {
         if (e.assign)
             for (const int c : still_) std::fill_n(e.out[c], set_.layout.size, 0.0);
         in_blocks(set_.threads, set_.layout.particles(), [&](long begin, long end) {
             for (const FrozenDerivative& derivative : derivatives_) derivative.apply(e, begin, end);
+            for (const CloudDamping& damping : dampings_) damping.apply(e, begin, end);
         });
         if (!pairwise_) return;
         Evaluation added = e;
         added.assign = false;
         pairwise_->evaluate(added);
     }
-
-private:
-    const PairSet& set_;
-    std::vector<FrozenDerivative> derivatives_;
-    std::vector<int> still_;    ///< components without a derivative
-    std::unique_ptr<Program> pairwise_;
 };
 
 }    // namespace

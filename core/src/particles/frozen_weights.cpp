@@ -27,14 +27,31 @@ const FrozenWeights& FrozenWeightStore::of(int kernel, abi::Correction correctio
 }
 
 const FrozenWeights& FrozenWeightStore::of(const Term& term) {
-    if (!holds_coefficients(term)) return of(term.kernel, term.form->correction());
+    const bool fitted = !term.fitted.empty();
+    if (!fitted && !holds_coefficients(term)) return of(term.kernel, term.form->correction());
     const bool gradient = term.op == Term::Operator::gradient;
-    const std::string key = std::to_string(term.kernel) + (gradient ? " gradient " : " divergence ") + term.form_text;
+    const std::string key = (fitted ? "fitted " : std::to_string(term.kernel) + (gradient ? " gradient " : " divergence ")) + term.form_text;
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    if (fitted) return known_.emplace(key, sum_rows(cloud_.of(term))).first->second;
     std::vector<RestCoefficients> between;
     for (const abi::Medium& i : set_.media.list())
         for (const abi::Medium& j : set_.media.list()) between.push_back(rest_coefficients(*term.form, derivative(term), i, j));
     return known_.emplace(key, weigh(term.kernel, term.form->correction(), between)).first->second;
+}
+
+FrozenWeights FrozenWeightStore::sum_rows(const CloudWeights& fitted) const {
+    const auto& start = set_.list.start();
+    FrozenWeights w;
+    for (int a = 0; a < set_.scene.box.dimension; ++a) {
+        w.own[a] = Array(std::size_t(set_.layout.size));
+        w.other[a] = Array(fitted.damping.size());
+    }
+    in_blocks(set_.threads, set_.layout.particles(), [&](long begin, long end) {
+        for (long i = begin; i < end; ++i)
+            for (std::int64_t k = start[std::size_t(i)]; k < start[std::size_t(i) + 1]; ++k)
+                for (int a = 0; a < set_.scene.box.dimension; ++a) w.own[a].data()[i] += w.other[a].data()[k] = fitted.gradient[a].data()[k];
+    });
+    return w;
 }
 
 /// `between`: coefficients by own and other's medium, or one for all.
@@ -68,9 +85,10 @@ FrozenWeights FrozenWeightStore::weigh(int kernel, abi::Correction correction, c
 }
 
 double FrozenWeightStore::bytes() const {
-    double total = 0;
+    double total = cloud_.bytes();
     for (const auto& [key, w] : known_)
         for (int a = 0; a < 3; ++a) total += 8.0 * double(w.own[a].size() + w.other[a].size());
+    for (const auto& [key, a] : couplings_) total += 8.0 * double(a.size());
     return total;
 }
 

@@ -17,8 +17,8 @@ bool on_end(const Case& scene, int axis, bool upper, double x) {
     return std::abs(x - end_of_set(scene, axis, upper)) < 1e-6 * scene.box.dx;
 }
 
-MirrorParticles::MirrorParticles(const Case& scene, const Components& components, const double* const* x, int threads)
-    : scene_(scene), components_(components), n_(scene.arrangement->size(scene.box)), threads_(threads) {
+MirrorParticles::MirrorParticles(const Case& scene, const Components& components, const double* const* x, long n, int threads)
+    : scene_(scene), components_(components), n_(n), threads_(threads) {
     for (int a = 0; a < scene.box.dimension; ++a)
         for (const bool upper : {false, true}) {
             if (scene.closure(a, upper) != abi::Closure::mirror) continue;
@@ -62,7 +62,7 @@ void MirrorParticles::choose(const double* const* x, double reach) {
     }
 }
 
-/// Images of the own particles and of the first `images_before` virtual ones: reflection in other axes has not changed their
+/// Images of the n particles and of the first `images_before` virtual ones: reflection in other axes has not changed their
 /// coordinate along this one.
 void MirrorParticles::reflect(const Wall& wall, const double* x, double reach, long images_before) {
     for (long j = 0; j < n_ + images_before; ++j) {
@@ -109,6 +109,14 @@ void MirrorParticles::fill(int component, double* field) const {
     in_blocks(threads_, count(), [&](long begin, long end) {
         for (long v = begin; v < end; ++v)
             field[n_ + v] = rest + sign[faces_[std::size_t(v)]] * (field[source_[std::size_t(v)]] - rest);
+    });
+}
+
+void MirrorParticles::fill_derivative(int component, int axis, double* field) const {
+    const auto& parity = signs_[std::size_t(component)];
+    in_blocks(threads_, count(), [&](long begin, long end) {
+        for (long v = begin; v < end; ++v)
+            field[n_ + v] = parity[faces_[std::size_t(v)]] * sign(n_ + v, axis) * field[source_[std::size_t(v)]];
     });
 }
 

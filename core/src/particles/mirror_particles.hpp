@@ -14,8 +14,8 @@ double end_of_set(const Case& scene, int axis, bool upper);
 /// True for a coordinate on that end.
 bool on_end(const Case& scene, int axis, bool upper, double x);
 
-/// Virtual particles behind the mirror walls of a set without structure, numbered after its n own: images of all particles
-/// within reach of a wall's plane. Axes in turn, each reflecting the images in those before it too, so that edges and
+/// Virtual particles behind the mirror walls of a set without structure, numbered after the n that they can be images of, its own and
+/// those behind obstacles: images of all of them within reach of a wall's plane. Axes in turn, each reflecting the images in those before it too, so that edges and
 /// corners are right. Own and virtual particles together are symmetric about every wall, as far as neighbourhoods reach.
 ///
 /// A particle on a wall is its own image. With V the volume of every particle of the symmetric set, wall or not, adjoint forms
@@ -26,8 +26,8 @@ bool on_end(const Case& scene, int axis, bool upper, double x);
 /// A particle that begins on a wall remains its own image while particles move.
 class MirrorParticles {
 public:
-    /// `x` by axis, of the own particles as they begin.
-    MirrorParticles(const Case& scene, const Components& components, const double* const* x, int threads);
+    /// `x` by axis, of the n particles as they begin.
+    MirrorParticles(const Case& scene, const Components& components, const double* const* x, long n, int threads);
 
     /// True if the case has mirror walls.
     bool needed() const { return !walls_.empty(); }
@@ -41,8 +41,10 @@ public:
     void place(double* const* x) const;
     /// Gives them their sources' values of a component, even or odd; an odd one vanishes on the wall.
     void fill(int component, double* field) const;
+    /// The same of a component's derivative along an axis, which is of the other parity across that axis' walls.
+    void fill_derivative(int component, int axis, double* field) const;
 
-    /// The own particle whose image particle j is: j itself, if it is an own one.
+    /// The particle whose image particle j is: j itself, if it is none.
     long source(long j) const { return j < n_ ? j : source_[std::size_t(j - n_)]; }
     /// -1 where image j has axis a reversed.
     double sign(long j, int axis) const { return j < n_ || !(faces_[std::size_t(j - n_)] >> 2 * axis & 3) ? 1 : -1; }
@@ -53,7 +55,7 @@ private:
         bool upper;
         double plane;                    ///< [m]
         const abi::Boundary* boundary;
-        std::vector<std::int32_t> on;    ///< own particles
+        std::vector<std::int32_t> on;    ///< particles
 
         std::uint8_t bit() const { return std::uint8_t(1 << (2 * axis + upper)); }
         /// Distance into the set [m].
@@ -64,7 +66,7 @@ private:
     long n_;
     int threads_;
     std::vector<Wall> walls_;             ///< by axis
-    std::vector<std::uint8_t> on_;        ///< of own particles: bits of the walls that they are on
+    std::vector<std::uint8_t> on_;        ///< of particles: bits of the walls that they are on
     std::vector<std::int32_t> source_;    ///< of virtual particles
     std::vector<std::uint8_t> faces_;     ///< bits of the walls that they were reflected in
     std::vector<std::array<double, 64>> signs_;    ///< [component][bits]

@@ -62,9 +62,20 @@ void PairCorrections::compute_in(Worker& worker) {
     });
 }
 
-/// A virtual particle's matrix is its source's, reflected: L_ab changes sign with each of its axes that does.
+/// A virtual particle's matrix is its source's, reflected. Sources behind the walls of obstacles may be mirror images, and the
+/// sources of others are behind those walls.
 void PairCorrections::reflect() {
-    const long n = set_.layout.particles();
+    reflect_in_faces();
+    if (set_.walls.count() == 0) return;
+    double* entry[6] = {};
+    for (int k = 0; k < 6; ++k) entry[k] = entry_[k].data();
+    set_.walls.reflect(entry);
+    reflect_in_faces();
+}
+
+/// L_ab changes sign with each of its axes that does.
+void PairCorrections::reflect_in_faces() {
+    const long n = set_.layout.particles() + set_.walls.count();
     in_blocks(set_.threads, set_.mirrors.count(), [&](long begin, long end) {
         for (int b = 0; b < set_.scene.box.dimension; ++b)
             for (int a = 0; a <= b; ++a) {

@@ -36,6 +36,7 @@ private:
     template <int D>
     void compute_in(Worker& worker);
     void reflect();
+    void reflect_in_faces();
     [[noreturn]] void refuse(long i, long neighbours) const;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "pair_dissipation.hpp"
 #include "pair_terms.hpp"
 #include "parallel.hpp"
 
@@ -78,14 +79,17 @@ private:
 
 class PairProgram final : public Program {
 public:
-    PairProgram(const PairSet& set, const std::vector<Share>& shares) : set_(set), corrections_(set.scene.kernels.size()) {
-        for (const Share& share : shares)
+    PairProgram(const PairSet& set, std::vector<Share> shares) : set_(set), corrections_(set.scene.kernels.size()) {
+        for (Share& share : shares) {
             for (const Term* term : share.terms) {
                 auto& corrections = corrections_[std::size_t(term->kernel)];
-                if (!term->form || term->form->correction() == abi::Correction::none) continue;
-                if (!corrections) corrections = std::make_unique<PairCorrections>(set, term->kernel);
-                if (term->form->correction() == abi::Correction::pairwise) corrections->pairwise();
+                const bool corrected = term->form && term->form->correction() != abi::Correction::none;
+                if (!corrections && (corrected || term->dissipation)) corrections = std::make_unique<PairCorrections>(set, term->kernel);
+                if (corrected && term->form->correction() == abi::Correction::pairwise) corrections->pairwise();
+                if (term->dissipation) dissipations_.emplace_back(set, *term, *corrections);
             }
+            std::erase_if(share.terms, [](const Term* term) { return term->dissipation != nullptr; });
+        }
         for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, shares, corrections_);
         if (set.density() >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
     }
@@ -94,17 +98,24 @@ public:
         if (inverse_rho_.data()) invert(e.state[set_.components.first[std::size_t(set_.density())]], inverse_rho_.data());
         for (const auto& corrections : corrections_)
             if (corrections) corrections->compute(inverse_rho_.data());
-        const long n = tiles(set_), threads = set_.threads;
-        in_parallel(set_.threads, threads, [&](long t) {
-            workers_[std::size_t(t)].evaluate(e, inverse_rho_.data(), n * t / threads, n * (t + 1) / threads);
-        });
+        if (e.terms != Terms::dissipation_only) evaluate_shares(e);
+        if (e.terms == Terms::without_dissipation) return;
+        for (PairDissipation& dissipation : dissipations_) dissipation.apply(e, inverse_rho_.data());
     }
 
 private:
     const PairSet& set_;
     PairTerms::Corrections corrections_;
     std::vector<PairWorker> workers_;
+    std::vector<PairDissipation> dissipations_;
     Array inverse_rho_;
+
+    void evaluate_shares(const Evaluation& e) {
+        const long n = tiles(set_), threads = set_.threads;
+        in_parallel(set_.threads, threads, [&](long t) {
+            workers_[std::size_t(t)].evaluate(e, inverse_rho_.data(), n * t / threads, n * (t + 1) / threads);
+        });
+    }
 
     void invert(const double* rho, double* inverse) const {
         in_blocks(set_.threads, set_.layout.size, [=](long begin, long end) {

@@ -5,6 +5,7 @@
 
 #include "mirror_particles.hpp"
 #include "neighbour_list.hpp"
+#include "obstacle_walls.hpp"
 #include "pair_tile.hpp"
 #include "tier.hpp"
 
@@ -26,6 +27,7 @@ struct PairSet {
     const ParticleMedia& media;
     Layout layout;
     NeighbourList list;
+    const ObstacleWalls& walls;
     const MirrorParticles& mirrors;
     const double* x[3] = {};          ///< by axis, of own and virtual particles
     int threads = 1;
@@ -49,7 +51,7 @@ inline long tiles(const PairSet& set) { return long(set.cuts.size()) - 1; }
 /// Per-pair values of a tile: separations, kernel slopes, and both sides' values of the components in use.
 class PairValues {
 public:
-    /// `components` are those that the program reads.
+    /// `components` are those that the program reads, by their places in the state that evaluations begin with.
     PairValues(const PairSet& set, const std::vector<int>& components);
 
     /// Once per evaluation, before any tile; `inverse_rho` of all particles where the set has a current density, else null.

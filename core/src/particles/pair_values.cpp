@@ -29,7 +29,9 @@ PairValues::PairValues(const PairSet& set, const std::vector<int>& components) :
     computed_.slope.resize(set.scene.kernels.size());
     slope_.resize(set.scene.kernels.size());
     weight_.resize(set.scene.kernels.size());
-    own_.resize(std::size_t(set.components.count) + 1);
+    int last = set.components.count;
+    for (const int c : components) last = std::max(last, c + 1);
+    own_.resize(std::size_t(last) + 1);
     other_.resize(own_.size());
 }
 

@@ -13,7 +13,7 @@ int threads_for(const Case& scene) {
     /// Pairs per thread and evaluation that take some hundred microseconds, ten times what waking a thread does.
     constexpr double worthwhile_pairs = 4e5;
     const double reach = scene.radius() / scene.box.dx, d = scene.box.dimension;
-    const double neighbours = std::pow(2 * reach, d), pairs = neighbours * double(scene.arrangement->size(scene.box));
+    const double neighbours = std::pow(2 * reach, d), pairs = neighbours * double(scene.particles);
     return std::max(1, int(std::min({pairs / worthwhile_pairs, double(omp_get_max_threads()), available_cores()})));
 }
 

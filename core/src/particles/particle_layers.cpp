@@ -4,7 +4,7 @@
 #include "parallel.hpp"
 #include "particle_system.hpp"
 
-/// Layers along faces that damp p and u.
+/// What happens to fields once per step: layers along faces that damp them, and smoothing at the walls of obstacles.
 namespace sphonic {
 
 void ParticleSystem::enlist_layers() {
@@ -37,6 +37,15 @@ void ParticleSystem::damp(double dt) {
             }
         });
     }
+}
+
+/// Of what p is computed from, and then of p.
+void ParticleSystem::smooth(double t, double dt) {
+    const int component = components_.first[std::size_t(of_pressure_.variable)];
+    double* field = store_.array(abi::state, component);
+    smoothing_->apply(field, dt);
+    refresh_algebraic(part(abi::fields), t);
+    tier_->fill_ghosts(component, field, this->field(components_.first[std::size_t(pressure_)]), t);
 }
 
 }    // namespace sphonic

@@ -1,38 +1,17 @@
-#include <algorithm>
-#include <cmath>
-#include <random>
-
-#include <sphonic/error.hpp>
-
 #include "lanes.hpp"
-#include "mirror_particles.hpp"
 #include "particle_system.hpp"
 
 /// How a set begins: places and initial fields.
 namespace sphonic {
 
-ParticleMedia ParticleSystem::place_particles() {
+ParticleMedia ParticleSystem::place_particles(const Sites& sites) {
     double* x[3] = {};
     for (int a = 0; a < scene_.box.dimension; ++a) {
-        x_[a].resize(std::size_t(scene_.arrangement->size(scene_.box) + overrun));
+        x_[a] = sites.own[a];
+        x_[a].resize(sites.own[a].size() + overrun);
         x[a] = x_[a].data();
     }
-    scene_.arrangement->place(scene_.box, x);
-    if (scene_.jitter > 0) displace(x);
-    return {scene_, scene_.arrangement->size(scene_.box), x};
-}
-
-/// Uniform random displacements. Bounded axes keep their particles inside, and those on a face on it.
-void ParticleSystem::displace(double* const* x) const {
-    std::mt19937_64 bits(std::uint64_t(scene_.seed));
-    const abi::Box& box = scene_.box;
-    for (long i = 0; i < scene_.arrangement->size(box); ++i)
-        for (int a = 0; a < box.dimension; ++a) {
-            const double random = double(bits() >> 11) * 0x1p-53;    // the library's distributions differ between compilers
-            if (!box.periodic[a] && (on_end(scene_, a, false, x[a][i]) || on_end(scene_, a, true, x[a][i]))) continue;
-            x[a][i] += scene_.jitter * box.dx * (2 * random - 1);
-            if (!box.periodic[a]) x[a][i] = std::clamp(x[a][i], end_of_set(scene_, a, false), end_of_set(scene_, a, true));
-        }
+    return {scene_, sites.count(), x};
 }
 
 void ParticleSystem::set_initial_fields() {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "form_fit.hpp"
 #include "mirror_particles.hpp"
 #include "particle_system.hpp"
 #include "stencil.hpp"
@@ -29,7 +30,7 @@ public:
     void step() override {
         scene_.integrator->step(system_, {index_, time(), dt_});
         ++index_;
-        system_.close_step(dt_);
+        system_.close_step(time(), dt_);
     }
     double energy_bound() const override { return system_.budget().bound(time()); }
     double time() const override { return double(index_) * dt_; }
@@ -74,14 +75,16 @@ private:
     }
 
     /// On a lattice of one medium by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is
-    /// the assembled operator's.
+    /// the assembled operator's. Fitted weights of a cloud damp besides: the leapfrog bears omega dt + sigma dt <= 2 with a
+    /// damping sigma, others at least as much of their limit.
     static StepLimit limit(const Case& scene, ParticleSystem& system) {
         StepLimit limit = step_limit(scene);
-        if (scene.regular() && !scene.media->several()) return limit;
+        if (scene.regular() && !scene.media->several() && !fits_cloud(scene)) return limit;
         constexpr double margin = 0.98;    // the largest frequency is approached from below
         const double frequency = system.largest_frequency();
-        limit.dt *= margin * limit.frequency / frequency;
+        if (limit.frequency > 0) limit.dt *= margin * limit.frequency / (frequency + system.tier().damping());
         limit.frequency = frequency;
+        if (scene.equations.dissipate()) limit.dt = std::min(limit.dt, margin * decaying_limit(scene) / frequency);
         return limit;
     }
 

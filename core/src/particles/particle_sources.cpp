@@ -56,8 +56,9 @@ void ParticleSystem::add_sources(const Part& part, double t, abi::Slot out, doub
     supply_ = std::max(supply_, 0.5 * scene_.particle_volume() * energy);
 }
 
-void ParticleSystem::close_step(double dt) {
+void ParticleSystem::close_step(double t, double dt) {
     damp(dt);
+    if (smoothing_) smooth(t, dt);
     budget_.added(supply_, dt);
     supply_ = 0;
 }

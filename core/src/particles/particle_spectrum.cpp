@@ -7,7 +7,10 @@
 
 namespace sphonic {
 
-/// Vectors of all evolved values of a set at rest, with the energy's inner product, and B = -A^2 of its linearised operator A.
+/// Vectors of all evolved values of a set at rest, with the energy's inner product, and an operator B whose largest eigenvalue is
+/// the square of what bounds the step. Undamped, B = -A^2 for the linearised operator A. With dissipation, A = W + D, B = S^2 for
+/// S = J W - D, where J changes the sign of scalars: for a wave of frequency omega that decays at the rate delta, S has the eigenvalues
+/// delta +- omega, and omega + delta is what leapfrog feels.
 class ParticleSystem::Spectrum {
 public:
     explicit Spectrum(ParticleSystem& system)
@@ -54,7 +57,7 @@ public:
         rate();
         combine(rates_, 1, abi::state, 0);
         rate();
-        combine(rates_, -1, out, 0);
+        combine(rates_, dissipates_ ? 1 : -1, out, 0);
     }
     void clear() { combine(abi::state, 0, abi::state, 0); }
 
@@ -64,6 +67,7 @@ private:
     abi::Slot rates_;
     std::vector<std::vector<double>> weights_;    ///< by component and medium: the energy is 1/2 sum V (w z)^2 rho0
     std::mt19937_64 bits_{1};
+    bool dissipates_ = system_.scene_.equations.dissipate();
 
     /// Calls visit(component, weights of the row's particles, the row's place in the field) for all rows of all components.
     template <class Visit>
@@ -78,7 +82,14 @@ private:
         system_.refresh_algebraic(all_, 0);
         const double* p = system_.field(system_.components_.first[std::size_t(system_.pressure_)]);
         for (const int c : all_.components) system_.tier_->fill_ghosts(c, system_.store_.array(abi::state, c), p, 0);
-        system_.evaluate_terms(all_, rates_, 1, true);
+        if (!dissipates_) return system_.evaluate_terms(all_, rates_, 1, true);
+        system_.evaluate_terms(all_, rates_, 1, true, Terms::without_dissipation);
+        for (const int v : all_.variables)
+            if (!system_.scene_.equations.variables[std::size_t(v)].is_vector) negate(system_.store_.array(rates_, system_.components_.first[std::size_t(v)]));
+        system_.evaluate_terms(all_, rates_, -1, false, Terms::dissipation_only);
+    }
+    void negate(double* x) {
+        for (long i = 0; i < system_.particles(); ++i) x[i] = -x[i];
     }
 };
 

@@ -32,20 +32,20 @@ abi::Part Components::part(int component, int axis) const {
 
 namespace {
 
-std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const ParticleMedia& media, const double* const* x) {
-    const bool still = scene.motion == Motion::frozen, automatic = scene.neighbours == Neighbours::automatic;
-    if (scene.neighbours == Neighbours::lattice || (automatic && still && scene.regular()))
-        return make_lattice_tier(scene, components, media);
-    return make_list_tier(scene, components, media, x, still && scene.neighbours != Neighbours::moving);
+std::unique_ptr<Tier> choose_tier(const Case& scene, const Components& components, const ParticleMedia& media, const Sites& sites, const double* const* x) {
+    if (scene.on_lattice()) return make_lattice_tier(scene, components, media);
+    return make_list_tier(scene, components, media, sites, x, scene.motion == Motion::frozen && scene.neighbours != Neighbours::moving);
 }
 
 }    // namespace
 
-ParticleSystem::ParticleSystem(const Case& scene)
+ParticleSystem::ParticleSystem(const Case& scene) : ParticleSystem(scene, Sites(scene)) {}
+
+ParticleSystem::ParticleSystem(const Case& scene, const Sites& sites)
     : scene_(scene), components_(scene),
-      threads_(threads_for(scene)), media_(place_particles()), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.media->fastest()) {
+      threads_(threads_for(scene)), media_(place_particles(sites)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.media->fastest()) {
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
-    tier_ = choose_tier(scene, components_, media_, x);
+    tier_ = choose_tier(scene, components_, media_, sites, x);
     store_ = Store(layout().size, components_.count);
     for (int c = 0; c < components_.count; ++c) state_arrays_.push_back(store_.array(abi::state, c));
     out_arrays_.resize(std::size_t(components_.count));
@@ -54,6 +54,8 @@ ParticleSystem::ParticleSystem(const Case& scene)
     for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, media_, layout(), x);
     for (const SourceMembers& source : sources_) supplied_ = supplied_ || source.action.adds;
     enlist_layers();
+    if (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const Obstacle& o) { return o.walled(); }))
+        smoothing_ = std::make_unique<WallSmoothing>(scene, sites, threads_);
 }
 
 ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool positions) {
@@ -74,6 +76,7 @@ bool ParticleSystem::reads(const Part& part) const {
     for (const int v : part.variables)
         for (const Term& term : variables[std::size_t(v)].terms) {
             if (within(term.operand)) return true;
+            if (!term.fitted.empty() && !scene_.on_lattice()) return true;    // it damps its own variable
             for (const Factor& f : term.factors)
                 if (within(f.variable)) return true;
         }
@@ -98,9 +101,9 @@ ParticleSystem::Part& ParticleSystem::part(abi::Group group) {
     return parts_[std::size_t(group >= 0 ? group : split - 1 - group)];    // -1, -2, -3 follow the splitting groups
 }
 
-void ParticleSystem::evaluate_terms(Part& part, abi::Slot out, double scale, bool assign) {
+void ParticleSystem::evaluate_terms(Part& part, abi::Slot out, double scale, bool assign, Terms terms) {
     for (const int c : part.components) out_arrays_[std::size_t(c)] = store_.array(out, c);
-    if (part.program) part.program->evaluate({state_arrays_.data(), out_arrays_.data(), scale, assign});
+    if (part.program) part.program->evaluate({state_arrays_.data(), out_arrays_.data(), scale, assign, terms});
 }
 
 void ParticleSystem::evaluate(Part& part, double t, abi::Slot out, double scale, bool assign) {

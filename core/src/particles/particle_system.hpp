@@ -7,9 +7,11 @@
 #include <sphonic/case.hpp>
 #include <sphonic/plugin/energy_budget.hpp>
 
+#include "sites.hpp"
 #include "source_members.hpp"
 #include "store.hpp"
 #include "tier.hpp"
+#include "wall_smoothing.hpp"
 
 namespace sphonic {
 
@@ -46,11 +48,14 @@ public:
     double bytes() const;
     /// Begins to account for what sources supply, from this energy on.
     void start_budget(double energy) { budget_.start(energy); }
-    /// To be called after every step.
-    void close_step(double dt);
+    /// To be called after every step, which ends at t.
+    void close_step(double t, double dt);
     const EnergyBudget& budget() const { return budget_; }
-    /// Largest |eigenvalue| of the assembled, linearised operator [1/s], from below. Leaves the fields zero.
+    /// Largest |eigenvalue| of the assembled, linearised operator [1/s], from below; with dissipation, the largest sum of a frequency
+    /// and a rate of decay. Leaves the fields zero.
     double largest_frequency();
+    /// Its matrix, row-major, over (component, particle); dense, so for small sets. Leaves the fields zero.
+    std::vector<double> assembled(Terms terms);
     /// The rate of one variable's component 0 ... into a named slot, without changing the state.
     void rate_of(int variable, double t, abi::Slot out);
 
@@ -83,6 +88,7 @@ private:
     };
     std::vector<Damped> layers_;
     double damping_step_ = 0;    ///< that the factors are for [s]
+    std::unique_ptr<WallSmoothing> smoothing_;    ///< where obstacles have walls
     double supply_ = 0;    ///< energy of the largest rate that sources added within a step
     int pressure_, velocity_;       ///< the variables p and u
     Case::Behind of_pressure_;      ///< what p is computed from
@@ -94,13 +100,13 @@ private:
 
     int evolved_behind(int variable) const { return scene_.behind(variable).variable; }
     void order_algebraic();
-    ParticleMedia place_particles();
-    void displace(double* const* x) const;
+    ParticleSystem(const Case& scene, const Sites& sites);
+    ParticleMedia place_particles(const Sites& sites);
     void make_parts();
     Part make_part(std::vector<int> variables, bool positions);
     bool reads(const Part& part) const;
     Part& part(abi::Group group);
-    void evaluate_terms(Part& part, abi::Slot out, double scale, bool assign);
+    void evaluate_terms(Part& part, abi::Slot out, double scale, bool assign, Terms terms = Terms::all);
     void evaluate(Part& part, double t, abi::Slot out, double scale, bool assign);
     void move(abi::Slot out, double scale, bool assign);
     void add_sources(const Part& part, double t, abi::Slot out, double scale);
@@ -112,6 +118,7 @@ private:
     static double power(Spectrum& spectrum, abi::Slot v, abi::Slot w);
     void enlist_layers();
     void damp(double dt);
+    void smooth(double t, double dt);
     /// That of a source's i-th particle.
     const abi::Medium& medium(const SourceMembers& source, std::size_t i) const { return media_.list()[std::size_t(source.media()[i])]; }
     void set_initial_fields();

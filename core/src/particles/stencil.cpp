@@ -83,7 +83,8 @@ std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std
         const double r[3] = {-n.o[0] * dx, -n.o[1] * dx, -n.o[2] * dx};
         moment.add(r, volume * n.slope);
     }
-    const auto L = term.form->correction() == abi::Correction::none ? std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1} : moment.inverse();
+    const bool plain = term.form && term.form->correction() == abi::Correction::none;
+    const auto L = plain ? std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1} : moment.inverse();
     if (!L)
         throw Error(Fault::input, scene.file + ": /kernel", "the " + std::to_string(neighbours.size()) +
                     " neighbours of a particle do not determine a gradient, which a corrected form needs", "Choose a larger h");
@@ -92,6 +93,18 @@ std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std
         for (std::size_t a = 0; a < 3; ++a) n.gradient[a] = volume * ((*L)[3 * a] * plain[0] + (*L)[3 * a + 1] * plain[1] + (*L)[3 * a + 2] * plain[2]);
     }
     return neighbours;
+}
+
+std::vector<double> rest_couplings(const abi::Dissipation& dissipation, const Case& scene, const KernelUse& kernel, const std::vector<Offset>& pairs) {
+    std::vector<double> a, r2, slope;
+    for (const Offset& n : pairs) {
+        r2.push_back(n.r2);
+        slope.push_back(n.slope);
+    }
+    a.resize(pairs.size());
+    dissipation.couple({.n = int(pairs.size()), .r2 = r2.data(), .slope = slope.data(), .h = kernel.h, .c = scene.medium.c0,
+                        .volume = lattice_volume(scene.box)}, a.data());
+    return a;
 }
 
 double rest_slope(const abi::Viscosity& viscosity, const Case& scene, const KernelUse& kernel, double r2) {

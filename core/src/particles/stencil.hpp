@@ -25,9 +25,12 @@ struct RestCoefficients {
 RestCoefficients rest_coefficients(const abi::Form& form, abi::Derivative derivative, const abi::Medium& i, const abi::Medium& j);
 abi::Derivative derivative(const Term& term);
 
-/// V grad_i W_ij of a term's neighbours in the interior of a medium's lattice, corrected as its form asks for: `neighbours` with
-/// other gradients, or the form's own. Throws if the neighbourhood is degenerate.
+/// V grad_i W_ij of a term's neighbours in the interior of a medium's lattice, corrected as its form asks for, and always
+/// without one: `neighbours` with other gradients, or the form's own. Throws if the neighbourhood is degenerate.
 std::vector<Offset> weighted_neighbours(const Case& scene, const Term& term, std::vector<Offset> neighbours, int medium = 0);
+
+/// a_ij of a dissipation for lattice pairs in the first medium at rest [1/s].
+std::vector<double> rest_couplings(const abi::Dissipation& dissipation, const Case& scene, const KernelUse& kernel, const std::vector<Offset>& pairs);
 
 /// Slope dPi/d(u.r) of a viscosity for a lattice pair of approaching particles at rest.
 double rest_slope(const abi::Viscosity& viscosity, const Case& scene, const KernelUse& kernel, double r2);

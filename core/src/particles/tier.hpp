@@ -27,12 +27,16 @@ private:
     std::vector<double> rest_;
 };
 
+/// Which terms an evaluation takes. Dissipation adds to rates: alone, it does not assign.
+enum class Terms { all, without_dissipation, dissipation_only };
+
 /// The state's arrays and where rates go: rate += into `out`, or assigned.
 struct Evaluation {
     const double* const* state;    ///< by component
     double* const* out;            ///< by component; only those of the program's variables are touched
     double scale = 1;
     bool assign = true;            ///< out = scale * rate, else out += scale * rate
+    Terms terms = Terms::all;
 };
 
 /// The rate terms of some variables, made ready for a neighbourhood.
@@ -56,11 +60,15 @@ public:
     /// Positions changed; `x` by axis.
     virtual void moved(const double* const* x) = 0;
     virtual double neighbours_mean() const = 0;
+    /// No rate at which fitted weights damp is larger [1/s].
+    virtual double damping() const { return 0; }
     virtual double bytes() const = 0;
 };
 
+struct Sites;
 std::unique_ptr<Tier> make_lattice_tier(const Case& scene, const Components& components, const ParticleMedia& media);
-/// `x` by axis, in particle order.
-std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const ParticleMedia& media, const double* const* x, bool frozen);
+/// `x` by axis, in particle order: those of `sites`, which are kept elsewhere.
+std::unique_ptr<Tier> make_list_tier(const Case& scene, const Components& components, const ParticleMedia& media, const Sites& sites, const double* const* x,
+                                     bool frozen);
 
 }    // namespace sphonic

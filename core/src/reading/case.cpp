@@ -80,7 +80,7 @@ void read_method(Case& scene, Section& root, Registry& registry) {
 void warn_unused(Case& scene, Section& root) {
     if (scene.method->meshfree()) return;
     std::vector<std::string> unused;
-    for (const char* key : {"kernel", "kernels", "equations", "viscosity"})
+    for (const char* key : {"kernel", "kernels", "equations", "viscosity", "dissipation"})
         if (root.has(key)) unused.push_back(key);
     if (!scene.arrangement->regular()) unused.push_back("particles type: it runs on its own grid of this spacing");
     for (int a = 0; a < scene.box.dimension; ++a)
@@ -136,7 +136,7 @@ double Case::radius() const {
     for (const KernelUse& use : kernels) largest = std::max(largest, use.radius());
     for (const Variable& v : equations.variables)
         for (const Term& term : v.terms)
-            if (term.form) largest = std::max(largest, term.form->reach() * box.dx);
+            if (term.form) largest = std::max(largest, (on_lattice() ? term.form->reach() : term.form->cloud_reach(box.dimension)) * box.dx);
     return largest;
 }
 
@@ -207,6 +207,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     read_media(scene, root);
     read_kernels(scene, root, registry);
     read_equations(scene, root, registry);
+    read_obstacles(scene, root, registry);
     read_reference(scene, root, registry);
     read_sources(scene, root, registry);
     prepare_reference(scene, root);

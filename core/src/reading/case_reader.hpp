@@ -58,7 +58,8 @@ Expression::Constants constants(const Case& scene);
 
 void read_space(Case& scene, Section& root, Registry& registry);        // particles, boundaries
 void read_kernels(Case& scene, Section& root, Registry& registry);      // kernel, kernels
-void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity
+void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity, dissipation
+void read_obstacles(Case& scene, Section& root, Registry& registry);    // obstacles, once the kernels and so h are known
 void read_reference(Case& scene, Section& root, Registry& registry);    // reference; sources may take their field from it
 void read_sources(Case& scene, Section& root, Registry& registry);      // sources
 void prepare_reference(Case& scene, const Section& root);                // with the sources' waves

@@ -102,10 +102,12 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     std::copy(lower.begin(), lower.end(), box.lower);
     std::copy(upper.begin(), upper.end(), box.upper);
     count_sites(scene, section);
-    prepared(section.place(), [&] { scene.arrangement->prepare(box); });
-    if (scene.arrangement->size(box) < 2) section.fail("", "there are fewer than two particles", "Choose a smaller dx or a larger box");
     scene.jitter = section.real(common_key("arrangement", "jitter"));
     scene.seed = section.read(common_key("arrangement", "seed")).integer;
+    scene.arrangement->seed(scene.seed);
+    prepared(section.place(), [&] { scene.arrangement->prepare(box); });
+    scene.particles = scene.arrangement->size(box);
+    if (scene.particles < 2) section.fail("", "there are fewer than two particles", "Choose a smaller dx or a larger box");
     const std::string motion = section.read(common_key("arrangement", "motion")).text;
     scene.motion = motion == "lagrangian" ? Motion::lagrangian : Motion::frozen;
     const std::string neighbours = section.read(common_key("arrangement", "neighbours")).text;

@@ -11,7 +11,7 @@
 namespace sphonic {
 namespace {
 
-const std::vector<std::string> operator_keys{"divergence", "gradient", "viscosity"};
+const std::vector<std::string> operator_keys{"divergence", "gradient", "viscosity", "dissipation"};
 
 class EquationReader {
 public:
@@ -116,6 +116,7 @@ private:
             section.fail("", present.empty() ? "the term has no operator" : "the term has several operators: " + join(present),
                          "Give exactly one of " + join(operator_keys));
         if (present[0] == "viscosity") return read_viscosity(target, section);
+        if (present[0] == "dissipation") return read_dissipation(scene_, section, registry_, "dissipation", out().find(target.name), read_kernel(section));
 
         Term term{.op = present[0] == "gradient" ? Term::Operator::gradient : Term::Operator::divergence};
         term.operand = variable(section, present[0]);

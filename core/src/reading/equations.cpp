@@ -44,6 +44,12 @@ int Equations::find(const std::string& name) const {
     return -1;
 }
 
+bool Equations::dissipate() const {
+    return std::ranges::any_of(variables, [](const Variable& v) {
+        return std::ranges::any_of(v.terms, [](const Term& term) { return term.dissipation != nullptr; });
+    });
+}
+
 namespace {
 
 /// What reads c0 and rho0 of one medium only.
@@ -66,7 +72,7 @@ void refuse_several_media(const Case& scene, const Section& root) {
 }    // namespace
 
 void read_equations(Case& scene, Section& root, Registry& registry) {
-    if (!scene.method->meshfree() && !root.has("equations") && !root.has("viscosity")) {
+    if (!scene.method->meshfree() && !root.has("equations") && !root.has("viscosity") && !root.has("dissipation")) {
         scene.equations.variables.push_back({.name = "p"});    // what every method of sound knows
         scene.equations.variables.push_back({.name = "u", .is_vector = true});
         return refuse_several_media(scene, root);
@@ -91,6 +97,8 @@ void read_equations(Case& scene, Section& root, Registry& registry) {
     if (scene.method->meshfree() && (e.find("p") < 0 || e.find("u") < 0))
         root.fail("equations", "there is no pressure p or no velocity u", "Sound needs both: sources, references and results refer to them");
     if (root.has("viscosity")) root.resolved["viscosity"] = append_viscosity(scene, root.child("viscosity", ""), registry);
+    if (root.has("dissipation")) root.resolved["dissipation"] = append_dissipation(scene, root.child("dissipation", ""), registry);
+    check_dissipation(scene, root);
     refuse_several_media(scene, root);
 }
 

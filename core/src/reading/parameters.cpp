@@ -37,6 +37,7 @@ const Tables& tables() {
         {"kernel",
          {number("h", "m", positive, infinite, "smoothing length; this or h_over_dx"),
           number("h_over_dx", "1", positive, 1000, "smoothing length over particle spacing; this or h")}},
+        {"dissipation", {number("alpha", "1", 0, 10, "strength; by the plugin's law for the set's disorder if not given")}},
         {"source", {text("region", "", "condition on x, y, z, r: the particles it acts on, by their initial positions")}},
         {"reference",
          {text("region", "", "condition on x, y, z, r: the particles that errors are taken over; all if not given"),
@@ -52,11 +53,14 @@ const Tables& tables() {
           text("region", "", "of a list of media: condition on x, y, z, r; the first medium fills the box")}},
         {"output", {number("every", "s", 0, infinite, "interval of probe samples; 0 is every step", 0)}},
         {"boundary", {text("face", "", "x_min ... z_max, an axis x, y, z, or all")}},
+        {"shape",
+         {text("wall", "rigid|soft|free", "what the surface does: u.n = 0, p = 0, or nothing, with only the particles cut out", "rigid"),
+          text("keep", "outside|inside", "where the fluid is; the other side is solid", "outside")}},
         {"arrangement",
          {number("dx", "m", positive, infinite, "particle spacing"), point("lower", "lower corner of the box"),
           point("upper", "upper corner of the box"),
           number("jitter", "dx", 0, 0.5, "largest random displacement along each axis; faces of the box keep their particles", 0),
-          integer("seed", 0, 2147483647, "of the jitter", 1), text("motion", "auto|frozen|lagrangian", "whether particles move; auto is frozen", "auto"),
+          integer("seed", 0, 2147483647, "of what is random: the jitter, and arrangements by chance", 1), text("motion", "auto|frozen|lagrangian", "whether particles move; auto is frozen", "auto"),
           text("neighbours", "auto|lattice|frozen|moving", "how neighbours are found", "auto"),
           text("velocity", "", "the variable that moves the particles", "u")}}};
     return all;

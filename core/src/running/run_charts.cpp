@@ -6,6 +6,8 @@
 
 #include <sphonic/run_report.hpp>
 
+#include "sites.hpp"
+
 namespace sphonic {
 namespace {
 
@@ -86,10 +88,22 @@ Panel magnified(const Case& scene, const Row& row, std::size_t crest) {
             .curves = curves(row, std::size_t(first), std::size_t(last), Curve::Style::line_points), .legend = false};
 }
 
-/// The particles of the field's picture; the difference from the reference is NaN outside its region.
+/// The particles of the field's picture; the difference from the reference is NaN outside its region, and everything in solids.
 struct Layer {
     std::vector<double> x, y, p, difference;
 };
+
+/// Where particles were cut out; in the layer at z, if there is one.
+void add_solids(const Case& scene, double z, Layer& layer) {
+    const Sites sites(scene);
+    for (std::size_t i = 0; i < sites.solid[0].size(); ++i) {
+        if (std::isfinite(z) && std::abs(sites.solid[2][i] - z) >= 0.5 * scene.box.dx) continue;
+        layer.x.push_back(sites.solid[0][i]);
+        layer.y.push_back(sites.solid[1][i]);
+        layer.p.push_back(std::numeric_limits<double>::quiet_NaN());
+        if (!layer.difference.empty()) layer.difference.push_back(layer.p.back());
+    }
+}
 
 Layer layer_of(const Case& scene, const Profile& profile) {
     const bool deep = scene.box.dimension == 3;
@@ -104,6 +118,7 @@ Layer layer_of(const Case& scene, const Profile& profile) {
         const double outside = std::numeric_limits<double>::quiet_NaN();
         layer.difference.push_back(profile.in_region[i] ? profile.p[i] - profile.exact[i] : outside);
     }
+    if (!scene.obstacles.empty()) add_solids(scene, deep ? z : std::numeric_limits<double>::infinity(), layer);
     return layer;
 }
 

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include <sphonic/json.hpp>
-#include <sphonic/stability.hpp>
 
 #include "linear_algebra.hpp"
 #include "mode_system.hpp"
@@ -61,7 +60,7 @@ bool is_viscous(const Case& scene) {
 double wave_error(const Case& scene, const abi::PlaneWave& wave, double dt) {
     constexpr int samples = 400;
     const double k = wave.omega / scene.medium.c0, length = scene.medium.c0 * scene.until;
-    const TravellingMode mode = travelling_mode(scene, k, wave.direction, dt, 0.5);
+    const TravellingMode mode = travelling_mode(scene, k, wave.direction, dt, {.viscosity = 0.5});
     const double slip = k * (1 - wave.omega / mode.omega), decay = mode.decay / scene.medium.c0;
     double sum = 0;
     for (int i = 0; i < samples; ++i) {
@@ -97,10 +96,10 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
 
 }    // namespace
 
-TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, double viscosity, int medium) {
+TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, Damping damping, int medium) {
     double vector[3] = {0, 0, 0};
     for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
-    const Symbol A = symbol(scene, vector, viscosity, medium);
+    const Symbol A = symbol(scene, vector, damping, medium);
     const Symbol map = ModeSystem(scene, A).one_step_map(*scene.integrator, dt);
     const std::complex<double> exact = std::polar(1.0, k * scene.media->list()[std::size_t(medium)].c0 * dt);
     std::complex<double> best = 0;

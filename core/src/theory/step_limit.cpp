@@ -22,7 +22,7 @@ struct Mode {
 };
 
 Mode make_mode(const Case& scene, const double* k, int medium) {
-    Mode mode{symbol(scene, k, 1, medium), 0, 0};
+    Mode mode{symbol(scene, k, {.dissipation = scene.regular() ? 1.0 : 0.0}, medium), 0, 0};    // elsewhere by the assembled operator
     for (const auto& value : eigenvalues(mode.symbol.n, mode.symbol.a.data())) {
         mode.frequency = std::max(mode.frequency, std::abs(value));
         mode.decay = std::min(mode.decay, value.real());
@@ -112,20 +112,37 @@ double last_stable(double begin, double end, Stable stable) {
     return low;
 }
 
+/// p and u in an oscillation that decays: p' = -omega u - delta p, u' = omega p - delta u.
+Mode oscillation(const Case& scene, double omega, double delta) {
+    const double any[3] = {1 / scene.box.dx, 0, 0};
+    Mode mode{symbol(scene, any, undamped), 1, 0};
+    ModeSystem rows(scene, mode.symbol);
+    const int p = rows.row(scene.behind(scene.equations.find("p")).variable), u = rows.row(scene.equations.find("u")), n = mode.symbol.n;
+    mode.symbol.a.assign(std::size_t(n * n), 0.0);
+    mode.symbol.a[std::size_t(p * n + u)] = -omega;
+    mode.symbol.a[std::size_t(u * n + p)] = omega;
+    mode.symbol.a[std::size_t(p * n + p)] = mode.symbol.a[std::size_t(u * n + u)] = -delta;
+    return mode;
+}
+
+double limit_of(const Case& scene, const std::vector<Mode>& modes) {
+    return last_stable(strict_least, 20, [&](double dt) { return worst_root(scene, modes, dt) <= 1 + tolerance; });
+}
+
 }    // namespace
 
 double amplification(const Case& scene, double dt) { return worst_root(scene, demanding_modes(scene), dt); }
 
-double oscillator_limit(const Case& scene) {
-    const double any[3] = {1 / scene.box.dx, 0, 0};
-    Mode mode{symbol(scene, any, 0), 1, 0};
-    ModeSystem rows(scene, mode.symbol);
-    const int p = rows.row(scene.behind(scene.equations.find("p")).variable), u = rows.row(scene.equations.find("u")), n = mode.symbol.n;
-    mode.symbol.a.assign(std::size_t(n * n), 0.0);
-    mode.symbol.a[std::size_t(p * n + u)] = -1;
-    mode.symbol.a[std::size_t(u * n + p)] = 1;
-    const std::vector<Mode> only{mode};
-    return last_stable(strict_least, 20, [&](double dt) { return worst_root(scene, only, dt) <= 1 + tolerance; });
+double oscillator_limit(const Case& scene) { return limit_of(scene, {oscillation(scene, 1, 0)}); }
+
+double decaying_limit(const Case& scene) {
+    constexpr int samples = 8;
+    std::vector<Mode> modes;
+    for (int i = 1; i <= samples; ++i) {
+        const double decay = double(i) / samples;
+        modes.push_back(oscillation(scene, 1 - decay, decay));
+    }
+    return limit_of(scene, modes);
 }
 
 StepLimit step_limit(const Case& scene) {

@@ -71,6 +71,26 @@ void add_viscosity(const Case& scene, const Term& term, const std::vector<Offset
     }
 }
 
+/// alpha sum a [ 2 (cos theta - 1) + G . o dx sin theta ] over half of the neighbours, where theta = k . o dx and i G is the
+/// symbol of the corrected gradient.
+void add_dissipation(const Case& scene, const Term& term, const std::vector<Offset>& all, const double* k, int row,
+                     double strength, int medium, const Matrix& A) {
+    double G[3] = {0, 0, 0}, sum = 0;
+    for (const Offset& n : half_neighbours(weighted_neighbours(scene, term, all)))
+        for (int a = 0; a < scene.box.dimension; ++a) G[a] += 2 * n.gradient[a] * std::sin(phase(scene, n, k));
+    const std::vector<Offset> half = half_neighbours(all);
+    const auto couplings = rest_couplings(*term.dissipation, scene, scene.kernels[std::size_t(term.kernel)], half);
+    for (std::size_t n = 0; n < half.size(); ++n) {
+        const double theta = phase(scene, half[n], k);
+        double along = 0;
+        for (int a = 0; a < scene.box.dimension; ++a) along += G[a] * half[n].o[a] * scene.box.dx;
+        sum += couplings[n] * (2 * (std::cos(theta) - 1) + along * std::sin(theta));
+    }
+    const double faster = scene.media->list()[std::size_t(medium)].c0 / scene.medium.c0;
+    const int components = scene.equations.variables[std::size_t(term.operand)].components(scene.box.dimension);
+    for (int a = 0; a < components; ++a) A(row + a, row + a) += strength * faster * term.coefficient[std::size_t(medium)] * sum;
+}
+
 double largest_frequency(const Symbol& s) {
     double largest = 0;
     for (const auto& value : eigenvalues(s.n, s.a.data())) largest = std::max(largest, std::abs(value));
@@ -79,7 +99,7 @@ double largest_frequency(const Symbol& s) {
 
 }    // namespace
 
-Symbol symbol(const Case& scene, const double* k, double viscosity, int medium) {
+Symbol symbol(const Case& scene, const double* k, Damping damping, int medium) {
     Symbol result;
     const Equations& e = scene.equations;
     const std::vector<int> rows = rows_of(e, scene.box.dimension, result.n);
@@ -91,7 +111,9 @@ Symbol symbol(const Case& scene, const double* k, double viscosity, int medium) 
         for (const Term& term : e.variables[v].terms) {
             const auto& neighbours = all[std::size_t(term.kernel)];
             if (term.op == Term::Operator::viscosity)
-                add_viscosity(scene, term, neighbours, k, rows[v], viscosity, A);
+                add_viscosity(scene, term, neighbours, k, rows[v], damping.viscosity, A);
+            else if (term.op == Term::Operator::dissipation)
+                add_dissipation(scene, term, neighbours, k, rows[v], damping.dissipation, medium, A);
             else
                 add_derivative(scene, term, neighbours, k, rows[v], rows, medium, A);
         }
@@ -101,7 +123,7 @@ Symbol symbol(const Case& scene, const double* k, double viscosity, int medium) 
 double dispersion(const Case& scene, double k, const double* direction) {
     double vector[3] = {0, 0, 0};
     for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
-    return largest_frequency(symbol(scene, vector, 0)) / scene.medium.c0;
+    return largest_frequency(symbol(scene, vector, undamped)) / scene.medium.c0;
 }
 
 double long_wave_speed(const Case& scene, const double* direction) {

@@ -15,7 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 std::complex<double> forced_pressure(const Case& scene, double k, const double* direction, double omega, double dt, int medium) {
     double vector[3] = {0, 0, 0};
     for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
-    const Symbol A = symbol(scene, vector, 0, medium);
+    const Symbol A = symbol(scene, vector, undamped, medium);
     const int variable = scene.behind(scene.equations.find("p")).variable;
     ModeSystem mode(scene, A, ModeSystem::Forcing{variable, omega});
     const Symbol map = mode.one_step_map(*scene.integrator, dt);
@@ -25,7 +25,7 @@ std::complex<double> forced_pressure(const Case& scene, double k, const double* 
 
 /// The wave number that travels with frequency `omega` along `direction`, on the branch that begins at k = 0.
 std::optional<double> wave_number(const Case& scene, double omega, const double* direction, double dt, int medium) {
-    const auto frequency = [&](double k) { return travelling_mode(scene, k, direction, dt, 0, medium).omega; };
+    const auto frequency = [&](double k) { return travelling_mode(scene, k, direction, dt, undamped, medium).omega; };
     const double step = 0.02 * pi / scene.box.dx;
     double low = 0, high = step, reached = frequency(high);
     while (reached < omega) {

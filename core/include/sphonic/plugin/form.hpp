@@ -3,7 +3,7 @@
 /// two sides' media; a form that treats gradient and divergence differently takes the abi::Derivative as third argument.
 /// `static constexpr bool uniform = true` when the weights do not depend on the media, and
 /// `static constexpr abi::Correction correction` where the kernel's gradient is corrected. A form with weights of its own has
-/// reach() and fit(lattice, weights) besides.
+/// reach() and fit(lattice, weights) besides, and where it has them on clouds, cloud_reach(dimension) and cloud_fit(dimension, courant).
 
 #include <sphonic/plugin/abi/form.hpp>
 #include <sphonic/plugin/entry.hpp>
@@ -36,6 +36,18 @@ public:
     }
     void fit(const abi::LatticeFit& lattice, double* weight) const override {
         if constexpr (requires { model.fit(lattice, weight); }) model.fit(lattice, weight);
+    }
+    double cloud_reach(int dimension) const override {
+        if constexpr (requires { model.cloud_reach(dimension); })
+            return model.cloud_reach(dimension);
+        else
+            return 0;
+    }
+    std::unique_ptr<abi::CloudFit> cloud_fit(int dimension, double courant) const override {
+        if constexpr (requires { model.cloud_fit(dimension, courant); })
+            return model.cloud_fit(dimension, courant);
+        else
+            return nullptr;
     }
     bool uniform() const override {
         if constexpr (requires { F::uniform; })

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 
 namespace sphonic::abi {
 
@@ -18,6 +19,8 @@ public:
     static constexpr const char* kind = "arrangement";
     virtual ~Arrangement() = default;
 
+    /// Called before `prepare` with the case's seed, for an arrangement with chance in it.
+    virtual void seed(std::int64_t) {}
     /// Called once before anything else; throws std::invalid_argument with a remedy if it cannot fill the box.
     virtual void prepare(const Box&) {}
     /// True when the sites are exactly x = lower + i dx: frozen sets then run as a stencil.

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 
 namespace sphonic::abi {
 
@@ -34,6 +35,28 @@ struct LatticeFit {
     double most = 0;
 };
 
+/// The n neighbours of one particle of a cloud, a set without structure, for a form that brings weights of its own.
+struct CloudNeighbours {
+    int n = 0;
+    const double* offset[3] = {nullptr, nullptr, nullptr};    ///< x_j - x_i by axis, in spacings
+};
+
+/// What a form weighs the differences f_j - f_i of such a neighbourhood with.
+struct CloudWeights {
+    double* gradient[3] = {nullptr, nullptr, nullptr};    ///< by axis and neighbour: other_ij V_j grad_i W_ij becomes other_ij w_ij / dx
+    /// Every variable f with such a derivative also gets df_i/dt += c0/dx sum_j d_ij (f_j - f_i): damping of what the weights do
+    /// not carry, without which disorder makes it grow.
+    double* damping = nullptr;
+};
+
+/// Fits weights to one neighbourhood after another, in many threads at once.
+class CloudFit {
+public:
+    virtual ~CloudFit() = default;
+    /// False, and nothing of use written, if the neighbours determine no weights.
+    virtual bool fit(const CloudNeighbours& neighbours, const CloudWeights& weights) const = 0;
+};
+
 /// How a gradient or a divergence weighs the two values of a pair:
 ///   sum_j V_j (own_ij f_i + other_ij f_j) grad_i W_ij      (dot product for a divergence).
 /// The form decides what is conserved and what converges.
@@ -52,6 +75,11 @@ public:
     /// Those weights on a lattice: other_ij V_j grad_i W_ij becomes other_ij w_o o / dx, and the opposite for -o.
     /// Throws std::invalid_argument with a remedy if there are none.
     virtual void fit(const LatticeFit&, double*) const {}
+
+    /// Radius of such weights on a cloud, in spacings; 0 if a form has them on lattices only.
+    virtual double cloud_reach(int /*dimension*/) const { return 0; }
+    /// Those weights in a medium where c0 dt/dx of the leapfrog, whose error in time they are to cancel, is `courant`; 0: of none.
+    virtual std::unique_ptr<CloudFit> cloud_fit(int /*dimension*/, double /*courant*/) const { return nullptr; }
 };
 
 }    // namespace sphonic::abi

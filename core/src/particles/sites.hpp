@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include <sphonic/case.hpp>
+
+namespace sphonic {
+
+/// Points by axis [m].
+using Places = std::vector<double>[3];
+
+/// Where a case's particles lie: the arrangement's sites, displaced by its jitter, without those in obstacles. A particle whose
+/// centre is on a wall stays.
+struct Sites {
+    Places own;
+    Places solid;    ///< those cut out, in the same order
+    std::vector<long> cut;    ///< how many are in each obstacle
+
+    explicit Sites(const Case& scene);
+    long count() const { return long(own[0].size()); }
+
+private:
+    void separate(const Case& scene, Places& all);
+};
+
+/// A share of the spacing below which points count as being on a wall.
+inline constexpr double on_wall = 1e-6;
+
+}    // namespace sphonic
