@@ -1,7 +1,5 @@
 #include <sphonic/plugin/boundary.hpp>
 
-#include <algorithm>
-
 /// p = 0 as in Zhang, Li and Zhang (2017): p by odd mirror images, the velocity of the virtual particles by central differences of
 /// the momentum equation,
 ///   u_{N+k} += -dt / (2 rho0 dx) (p_{N+k+1} - p_{N+k-1})   across the face;   along it, odd images.
@@ -29,8 +27,9 @@ private:
         for (int k = 1; k <= g.layers; ++k)
             for (int i = 0; i < g.n; ++i) {
                 const double nearer = k == 1 ? 0 : g.pressure[k - 1][i];
-                g.ghost[k][i] = g.dt > 0 ? g.before[k][i] + kick * (nearer - g.pressure[k + 1][i]) : g.inner[k][i];
+                g.ghost[k][i] = g.dt > 0 ? g.memory[k][i] + kick * (nearer - g.pressure[k + 1][i]) : g.inner[k][i];
             }
+        for (int k = 1; k <= g.layers; ++k) std::copy_n(g.ghost[k], g.n, g.memory[k]);
     }
 };
 

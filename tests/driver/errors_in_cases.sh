@@ -68,6 +68,10 @@ refused 2 'case.json: /boundaries: only one face of the axis x is periodic. Give
 refused 2 'case.json: /boundaries/1/face: this face has a boundary already. Give each face one boundary' --set '/boundaries=[{"type":"free","face":"x"},{"type":"free","face":"x_min"}]'
 refused 2 'case.json: /boundaries/0/face: "y" is no face in dimension 1. Give x_min, x_max, ... of an axis that exists, an axis such as "x", or "all"' --set '/boundaries=[{"type":"free","face":"y"}]'
 refused 2 'case.json: /boundaries/0/face: is missing. Give x_min, x_max, ..., an axis such as "x", or "all"' --set '/boundaries=[{"type":"free"}]'
+leaks='[{"type":"impedance","face":"x_max","impedance":400}]'
+refused 2 'case.json: /boundaries/0/impedance: is missing. impedance [Pa s/m] must be greater than 0 and at most 1e+30' --set '/boundaries=[{"type":"impedance","face":"x_max"}]'
+refused 2 'case.json: /boundaries/0: it gives way on regular sets that keep their places, and this is another one. Use a frozen lattice without jitter, or a layer that damps before a wall' --set "/boundaries=$leaks" --set /particles/jitter=0.1
+refused 2 'case.json: /integrator/type: "rk4" works in stages, and the boundary of x_max acts once per step. Use leapfrog, or another boundary such as absorbing_layer' --set "/boundaries=$leaks" --set /integrator/type=rk4
 refused 2 'case.json: /integrator/courant: dt and courant are both given. Give one of dt, courant and safety' --set /integrator/dt=1e-5
 refused 2 'case.json: /integrator/safety: courant and safety are both given. Give one of dt, courant and safety' --set /integrator/safety=0.5
 refused 2 'case.json: /particles/dx: is missing. dx [m] must be greater than 0' --set '/particles={"type":"lattice","lower":[-1],"upper":[4]}'

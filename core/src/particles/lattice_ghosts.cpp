@@ -78,7 +78,16 @@ LatticeGhosts::Rows::Rows(long layers, long columns)
 }
 
 LatticeGhosts::Memory::Memory(long layers, long columns)
-    : inner(layers + 2, columns), pressure(layers + 2, columns), before(layers + 1, columns), ghost(layers + 1, columns) {}
+    : inner(layers + 2, columns), pressure(layers + 2, columns), kept(layers + 1, columns), kept_before(layers + 1, columns), ghost(layers + 1, columns) {}
+
+double LatticeGhosts::Memory::begin(double t) {
+    const bool again = last == t;
+    const Rows& from = again ? kept_before : kept;
+    for (std::size_t k = 0; k < from.values.size(); ++k) std::copy(from.values[k].begin(), from.values[k].end(), (again ? kept : kept_before).pointers[k]);
+    if (!again) one_before = last;
+    last = t;
+    return one_before ? t - *one_before : 0;
+}
 
 std::vector<double*> LatticeGhosts::Rows::from(long column) {
     std::vector<double*> shifted;
@@ -123,19 +132,17 @@ void LatticeGhosts::layers(double* field, const double* pressure, int component,
             memory.pressure.pointers[std::size_t(k)][column] = pressure[at - field];
         }
     });
+    const double dt = memory.begin(t);
     for (const Stretch& s : memory.stretches) {
-        const auto inner = memory.inner.from(s.first), p = memory.pressure.from(s.first), before = memory.before.from(s.first),
+        const auto inner = memory.inner.from(s.first), p = memory.pressure.from(s.first), kept = memory.kept.from(s.first),
                    ghost = memory.ghost.from(s.first);
-        scene_.face(axis, upper)->fill({.part = part, .n = int(s.n), .layers = int(g), .t = t, .dt = memory.begun ? t - memory.t : 0,
+        scene_.face(axis, upper)->fill({.part = part, .n = int(s.n), .layers = int(g), .t = t, .dt = dt,
                                         .dx = scene_.box.dx, .medium = media_.list()[std::size_t(s.medium)], .inner = inner.data(),
-                                        .pressure = p.data(), .before = before.data(), .ghost = ghost.data()});
+                                        .pressure = p.data(), .memory = kept.data(), .ghost = ghost.data()});
     }
     for_lines(field, axis, [&](double* line, long column) {
         for (long k = 0; k <= g; ++k) line[face + k * step] = rest + sign * memory.ghost.pointers[std::size_t(k)][column];
     });
-    std::swap(memory.before, memory.ghost);
-    memory.t = t;
-    memory.begun = true;
 }
 
 }    // namespace sphonic

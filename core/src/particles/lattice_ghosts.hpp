@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -34,13 +35,14 @@ private:
         int medium;
         long first, n;
     };
-    /// One face's layers of one component, and what they were.
+    /// One face's layers of one component, and what the wall remembers of them.
     struct Memory {
         Memory(long layers, long columns);
-        double t = 0;
-        bool begun = false;
+        /// Begins a call for time t [s], or begins the last one anew if it was for the same; returns the time since the one before.
+        double begin(double t);
+        std::optional<double> last, one_before;    ///< times of calls [s]
         std::vector<Stretch> stretches;
-        Rows inner, pressure, before, ghost;
+        Rows inner, pressure, kept, kept_before, ghost;
     };
     const Case& scene_;
     const Components& components_;

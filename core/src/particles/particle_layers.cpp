@@ -4,7 +4,8 @@
 #include "parallel.hpp"
 #include "particle_system.hpp"
 
-/// What happens to fields once per step: layers along faces that damp them, and smoothing at the walls of obstacles.
+/// What happens to fields once per step: layers along faces that damp them, and smoothing at the walls of obstacles,
+/// what flows into walls.
 namespace sphonic {
 
 void ParticleSystem::enlist_layers() {
@@ -39,11 +40,12 @@ void ParticleSystem::damp(double dt) {
     }
 }
 
-/// Of what p is computed from, and then of p.
-void ParticleSystem::smooth(double t, double dt) {
+/// What p is computed from, and then p.
+void ParticleSystem::treat_pressure(double t, double dt) {
     const int component = components_.first[std::size_t(of_pressure_.variable)];
     double* field = store_.array(abi::state, component);
-    smoothing_->apply(field, dt);
+    if (smoothing_) smoothing_->apply(field, dt);
+    flow_.apply(field, components_.rest(component));
     refresh_algebraic(part(abi::fields), t);
     tier_->fill_ghosts(component, field, this->field(components_.first[std::size_t(pressure_)]), t);
 }

@@ -31,8 +31,9 @@ void ParticleSystem::set_initial_fields() {
     }
 }
 
-void ParticleSystem::initialise() {
+void ParticleSystem::initialise(double dt) {
     tier_->restart();
+    flow_ = WallFlow(scene_, media_, layout(), threads_, dt);
     if (moving())
         for (int a = 0; a < scene_.box.dimension; ++a)
             scatter(layout(), x_[a].data(), store_.array(abi::state, components_.positions + a));
@@ -44,6 +45,8 @@ void ParticleSystem::initialise() {
 void ParticleSystem::forget_walls() {
     tier_->restart();
     settle(abi::everything, 0);
+    const int component = components_.first[std::size_t(of_pressure_.variable)];
+    flow_.begin(field(component), components_.rest(component));
 }
 
 }    // namespace sphonic

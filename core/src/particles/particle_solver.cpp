@@ -22,7 +22,7 @@ public:
     void start(double dt) override {
         dt_ = dt;
         match_tones();
-        system_.initialise();
+        system_.initialise(dt);
         scene_.integrator->begin(system_, dt);
         system_.forget_walls();
         system_.start_budget(energy(abi::Stagger::none));    // beyond its limit a staggered scheme's own may be negative
@@ -109,11 +109,15 @@ private:
         return weight;
     }
 
-    /// Layers that advance by what they were need states that stay.
+    /// Layers that advance by what they were, and walls with what flows into them, need states that stay.
     void check_memory() const {
+        const auto remembers = [this](int a, bool upper) {
+            const abi::Boundary* face = scene_.face(a, upper);
+            return face && (face->closure() == abi::Closure::layers || face->admittance() > 0);
+        };
         for (int a = 0; a < scene_.box.dimension; ++a)
             for (const bool upper : {false, true})
-                if (scene_.closure(a, upper) == abi::Closure::layers && works_in_stages(scene_))
+                if (remembers(a, upper) && works_in_stages(scene_))
                     throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" works in stages, and the boundary of " +
                                 std::string(1, "xyz"[a]) + (upper ? "_max" : "_min") + " acts once per step",
                                 "Use leapfrog, or another boundary such as absorbing_layer");

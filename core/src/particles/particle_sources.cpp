@@ -58,7 +58,7 @@ void ParticleSystem::add_sources(const Part& part, double t, abi::Slot out, doub
 
 void ParticleSystem::close_step(double t, double dt) {
     damp(dt);
-    if (smoothing_) smooth(t, dt);
+    if (smoothing_ || flow_.any()) treat_pressure(t, dt);
     budget_.added(supply_, dt);
     supply_ = 0;
 }

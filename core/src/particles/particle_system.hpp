@@ -11,6 +11,7 @@
 #include "source_members.hpp"
 #include "store.hpp"
 #include "tier.hpp"
+#include "wall_flow.hpp"
 #include "wall_smoothing.hpp"
 
 namespace sphonic {
@@ -29,7 +30,7 @@ public:
     void settle(abi::Group group, double t) override;
 
     /// Initial state at t = 0: the case's initial fields, sources' pressure and velocity, everything else at rest.
-    void initialise();
+    void initialise(double dt);
     /// The present state is that of t = 0: walls with memory begin with it.
     void forget_walls();
 
@@ -89,6 +90,7 @@ private:
     std::vector<Damped> layers_;
     double damping_step_ = 0;    ///< that the factors are for [s]
     std::unique_ptr<WallSmoothing> smoothing_;    ///< where obstacles have walls
+    WallFlow flow_;                               ///< into walls that give way
     double supply_ = 0;    ///< energy of the largest rate that sources added within a step
     int pressure_, velocity_;       ///< the variables p and u
     Case::Behind of_pressure_;      ///< what p is computed from
@@ -118,7 +120,7 @@ private:
     static double power(Spectrum& spectrum, abi::Slot v, abi::Slot w);
     void enlist_layers();
     void damp(double dt);
-    void smooth(double t, double dt);
+    void treat_pressure(double t, double dt);
     /// That of a source's i-th particle.
     const abi::Medium& medium(const SourceMembers& source, std::size_t i) const { return media_.list()[std::size_t(source.media()[i])]; }
     void set_initial_fields();

@@ -26,7 +26,7 @@ struct GhostLayers {
     Medium medium;
     const double* const* inner = nullptr;       ///< [0 ... layers + 1][n]; 0: the face's particles
     const double* const* pressure = nullptr;    ///< the same of p, as it stands
-    double* const* before = nullptr;            ///< [0 ... layers][n]: face and layers as they were after the last call
+    double* const* memory = nullptr;            ///< [0 ... layers][n], the wall's own, as it left them in the last call
     double* const* ghost = nullptr;             ///< [0 ... layers][n] to write; [0] replaces the face's own values
 };
 
@@ -43,6 +43,8 @@ public:
     virtual int parity(Part) const { return 1; }
     /// Rate [1/s] at which all fields go to rest at a distance [m] inside the face; applied once per step.
     virtual double damping(double, const Medium&) const { return 0; }
+    /// What a mirror's wall gives way: velocity into it over the pressure on it [m/(Pa s)], acting once per step. On regular sets.
+    virtual double admittance() const { return 0; }
     /// For Closure::layers. Once per step and component, p before u.
     virtual void fill(const GhostLayers&) const {}
 };
