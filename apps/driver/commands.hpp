@@ -24,6 +24,14 @@ struct DescribeOptions : Common {
     bool markdown = false;
 };
 
+struct KernelOptions : Common {
+    std::string name;
+    std::vector<std::string> compare;
+    int dimension = 0;    ///< of the ranking; 0: 2, if the kernel has it
+    std::filesystem::path out;    ///< empty: nothing is written
+    bool force = false;
+};
+
 /// Each returns the exit code of a job that was done; errors are thrown.
 int run(const RunOptions& options);
 int check(const RunOptions& options);
@@ -31,6 +39,7 @@ int study(const RunOptions& options);
 int list(const Common& options);
 int describe(const DescribeOptions& options);
 int schema(const Common& options);
+int kernel(const KernelOptions& options);
 /// `folder` empty: the kind's own folder in the source tree around the current one.
 int new_plugin(const Common& options, const std::string& kind, const std::string& name, const std::filesystem::path& folder);
 

@@ -36,6 +36,7 @@ void add_output(CLI::App& command, RunOptions& options) {
 struct Arguments {
     RunOptions options;
     DescribeOptions described;
+    KernelOptions card;
     std::string kind, name;
     std::filesystem::path folder;
     int result = 0;
@@ -69,6 +70,15 @@ void add_plugin_commands(CLI::App& app, Arguments& a) {
     describe_command->add_flag("--markdown", a.described.markdown, "print GitHub Markdown")->excludes("--json");
     describe_command->callback([&a] { a.result = describe(a.described); });
 
+    auto* kernel_command = app.add_subcommand("kernel", "a kernel's report card: laws, pairing, waves and steps on lattices, a ranking");
+    kernel_command->add_option("NAME", a.card.name, "cubic_spline, ...")->required();
+    kernel_command->add_option("--compare", a.card.compare, "rank and draw it beside these");
+    kernel_command->add_option("--dimension", a.card.dimension, "of the ranking")->check(CLI::Range(1, 3));
+    kernel_command->add_option("--out", a.card.out, "folder for the card as HTML, PNG and SVG; default: none are written");
+    kernel_command->add_flag("--force", a.card.force, "replace the output folder if it exists");
+    add_common(*kernel_command, a.card);
+    kernel_command->callback([&a] { a.result = kernel(a.card); });
+
     auto* schema_command = app.add_subcommand("schema", "the JSON Schema of a case, with the parameters of all plugins found");
     add_common(*schema_command, a.options);
     schema_command->callback([&a] { a.result = schema(a.options); });
@@ -101,7 +111,7 @@ int main(int argc, char** argv) {
             app.exit(e, std::cout, std::cerr);
             return int(sphonic::Fault::input);
         }
-        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, list, describe, schema, new");
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, list, describe, kernel, schema, new");
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);

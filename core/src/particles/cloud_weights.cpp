@@ -1,9 +1,11 @@
 #include "cloud_weights.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <sphonic/error.hpp>
+#include <sphonic/log.hpp>
 
 #include "parallel.hpp"
 
@@ -68,6 +70,20 @@ private:
     }
 };
 
+/// Says every five seconds how far a long fit has come.
+class Patience {
+public:
+    void at(long done, long all) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_ < std::chrono::seconds(5)) return;
+        last_ = now;
+        log::info("fitting the weights of each particle: " + std::to_string(100 * done / all) + " %");
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 CloudWeights fit_all(const PairSet& set, const Term& term) {
     const std::size_t pairs = set.kept->r2.size();
     CloudWeights weights;
@@ -79,8 +95,12 @@ CloudWeights fit_all(const PairSet& set, const Term& term) {
     std::vector<long> degenerate(std::size_t(shares), -1);
     in_parallel(set.threads, shares, [&](long share) {
         Fitting fitting(set, term, weights);
-        for (long i = n * share / shares; i < n * (share + 1) / shares && degenerate[std::size_t(share)] < 0; ++i)
+        Patience patience;
+        const long first = n * share / shares, end = n * (share + 1) / shares;
+        for (long i = first; i < end && degenerate[std::size_t(share)] < 0; ++i) {
             if (!fitting.fit(i)) degenerate[std::size_t(share)] = i;
+            if (share == 0 && i % 256 == 0) patience.at(i - first, end - first);
+        }
         most[std::size_t(share)] = fitting.most();
     });
     for (const long i : degenerate)
