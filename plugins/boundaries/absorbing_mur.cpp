@@ -9,6 +9,7 @@
 /// frequency; obliquely a single equation would reflect (1 - cos t)/(1 + cos t), p and u together much less.
 struct AbsorbingMur final : abi::Boundary {
     abi::Closure closure() const override { return abi::Closure::layers; }
+    bool pressure_suffices() const override { return true; }
 
     void fill(const abi::GhostLayers& g) const override {
         std::copy_n(g.inner[0], g.n, g.ghost[0]);
