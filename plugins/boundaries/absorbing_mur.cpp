@@ -5,6 +5,7 @@
 /// wave of the same frequency; obliquely a single equation would reflect (1 - cos t)/(1 + cos t), p and u together much less.
 struct AbsorbingMur final : abi::Boundary {
     abi::Closure closure() const override { return abi::Closure::layers; }
+    bool pressure_suffices() const override { return true; }
     void fill(const abi::GhostLayers& g) const override { carry_outwards(g); }
 };
 

@@ -6,6 +6,7 @@
 /// On the face's particles.
 struct SoftFdtd final : abi::Boundary {
     abi::Closure closure() const override { return abi::Closure::layers; }
+    bool pressure_suffices() const override { return true; }
 
     void fill(const abi::GhostLayers& g) const override {
         if (g.part == abi::Part::normal)

@@ -65,6 +65,12 @@ void moving_2d_monaghan(benchmark::State& state) { steps(state, lattice(2, 128, 
 void moving_3d_monaghan(benchmark::State& state) { steps(state, lattice(3, 24, 1.3, {monaghan, "/particles/motion=lagrangian"})); }
 void fdtd_1d(benchmark::State& state) { steps(state, lattice(1, 2500, 1, {R"(/method={"type":"fdtd"})"})); }
 void fdtd_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd"})"})); }
+void fdtd_2d_order_4(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd","order":4})"})); }
+const std::string periodic = R"(/boundaries=[{"type":"periodic","face":"all"}])", full = "/particles/upper=[512,512]", kspace = R"(/method={"type":"kspace"})";
+void kspace_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1, {kspace, periodic, full})); }
+void kspace_2d_two_media(benchmark::State& state) {
+    steps(state, lattice(2, 512, 1, {kspace, periodic, full, R"(/medium=[{"c0":1,"rho0":1},{"c0":2,"rho0":3,"region":"x + y/3 > 300"}])"}));
+}
 
 /// The same scheme as a bare loop: the yardstick.
 void plain_fdtd_2d(benchmark::State& state) {
@@ -103,5 +109,8 @@ BENCHMARK(moving_2d_monaghan);
 BENCHMARK(moving_3d_monaghan);
 BENCHMARK(fdtd_1d);
 BENCHMARK(fdtd_2d);
+BENCHMARK(fdtd_2d_order_4);
+BENCHMARK(kspace_2d);
+BENCHMARK(kspace_2d_two_media);
 BENCHMARK(plain_fdtd_2d);
 BENCHMARK_MAIN();

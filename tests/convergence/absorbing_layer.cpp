@@ -50,17 +50,18 @@ TEST_CASE("what a layer returns obliquely is as predicted", "[layer]") {
         double thickness, angle, height;    // height: one wave along y
     };
     // a packet of waves of length 1
-    for (const Setting& at : {Setting{1, 45, 1.4142135623730951}, Setting{2, 60, 1.1547005383792515}}) {
-        const double c = std::cos(at.angle * testing::pi / 180), s = std::sin(at.angle * testing::pi / 180), w = 2.5 / c, x0 = 3 + 3.5 * w, end = 2 * x0;
-        const std::string packet = "exp(-((x - " + Json(x0).dump() + ")/" + Json(w).dump() + ")^2)*cos(2*pi*(" + Json(c).dump() + "*(x - " + Json(x0).dump() + ") + " +
-                                   Json(s).dump() + "*y))";
-        const Case scene = repository_case("scenes/layer_2d", {"/boundaries/2/thickness=" + Json(at.thickness).dump(),
-            "/particles/dx=" + Json(at.height / std::round(20 * at.height)).dump(), "/particles/upper=[" + Json(end).dump() + "," + Json(at.height).dump() + "]",
-            "/initial/p=" + packet, "/initial/u=[\"" + Json(c).dump() + "*" + packet + "\",\"" + Json(s).dump() + "*" + packet + "\"]",
-            "/until=" + Json(2 * (end - x0) / c).dump(), "/reference/region=3 < x < " + Json(end - 3).dump()});
-        const double measured = run(scene).errors->max;
-        const double predicted = layer_return(*scene.face(0, true), scene.medium, at.thickness, 2 * testing::pi, at.angle * testing::pi / 180);
-        CAPTURE(at.thickness, at.angle);
-        CHECK(measured == Approx(predicted).epsilon(0.1));
-    }
+    for (const char* method : {"particles", "fdtd"})
+        for (const Setting& at : {Setting{1, 45, 1.4142135623730951}, Setting{2, 60, 1.1547005383792515}}) {
+            const double c = std::cos(at.angle * testing::pi / 180), s = std::sin(at.angle * testing::pi / 180), w = 2.5 / c, x0 = 3 + 3.5 * w, end = 2 * x0;
+            const std::string packet = "exp(-((x - " + Json(x0).dump() + ")/" + Json(w).dump() + ")^2)*cos(2*pi*(" + Json(c).dump() + "*(x - " + Json(x0).dump() + ") + " +
+                                       Json(s).dump() + "*y))";
+            const Case scene = repository_case("scenes/layer_2d", {"/boundaries/2/thickness=" + Json(at.thickness).dump(),
+                "/particles/dx=" + Json(at.height / std::round(20 * at.height)).dump(), "/particles/upper=[" + Json(end).dump() + "," + Json(at.height).dump() + "]",
+                "/initial/p=" + packet, "/initial/u=[\"" + Json(c).dump() + "*" + packet + "\",\"" + Json(s).dump() + "*" + packet + "\"]",
+                "/until=" + Json(2 * (end - x0) / c).dump(), "/reference/region=3 < x < " + Json(end - 3).dump(), std::string("/method/type=") + method});
+            const double measured = run(scene).errors->max;
+            const double predicted = layer_return(*scene.face(0, true), scene.medium, at.thickness, 2 * testing::pi, at.angle * testing::pi / 180);
+            CAPTURE(method, at.thickness, at.angle);
+            CHECK(measured == Approx(predicted).epsilon(0.1));
+        }
 }

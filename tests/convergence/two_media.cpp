@@ -56,11 +56,12 @@ Passed passed(const Ratio& ratio, const std::vector<std::string>& set, int dimen
 const Ratio modest{2, 2}, heavy{10, 1.5}, air_to_water{1000 / 1.2, 1480. / 340}, water_to_air{1.2 / 1000, 340. / 1480};
 const std::string band_fitted = R"(/equations="band_fitted_acoustics")";
 const std::string frozen = "/particles/neighbours=frozen";
+const std::string fdtd = R"(/method={"type":"fdtd"})", fdtd_4 = R"(/method={"type":"fdtd","order":4})", kspace = R"(/method={"type":"kspace"})";    // with wider stencils
 
 }    // namespace
 
 TEST_CASE("what an interface reflects and lets pass", "[media]") {
-    for (const std::string& how : {std::string("/output={}"), band_fitted, frozen})
+    for (const std::string& how : {std::string("/output={}"), band_fitted, frozen, fdtd})
         for (const Ratio& ratio : {modest, heavy, air_to_water}) {
             CAPTURE(how, ratio.rho, ratio.c);
             const Passed wave = passed(ratio, {how});
@@ -70,11 +71,26 @@ TEST_CASE("what an interface reflects and lets pass", "[media]") {
 }
 
 TEST_CASE("from water into air little passes, and that little is right", "[media]") {
-    for (const std::string& how : {std::string("/output={}"), band_fitted, frozen}) {
+    for (const std::string& how : {std::string("/output={}"), band_fitted, frozen, fdtd}) {
         CAPTURE(how);
         const Passed wave = passed(water_to_air, {how});
         CHECK(std::abs(wave.reflected - water_to_air.reflection()) <= 1e-3);
         CHECK(std::abs(wave.transmitted / (1 + water_to_air.reflection()) - 1) <= 0.05);
+    }
+}
+
+TEST_CASE("wide stencils see an interface rightly at moderate contrasts; beyond, what it reflects", "[media]") {
+    for (const std::string& how : {fdtd_4, kspace}) {
+        for (const Ratio& ratio : {modest, heavy}) {
+            CAPTURE(how, ratio.rho, ratio.c);
+            const Passed wave = passed(ratio, {how});
+            CHECK(std::abs(wave.reflected - ratio.reflection()) <= 1e-3);
+            CHECK(std::abs(wave.transmitted - (1 + ratio.reflection())) <= 1e-3);
+        }
+        for (const Ratio& ratio : {air_to_water, water_to_air}) {
+            CAPTURE(how, ratio.rho, ratio.c);
+            CHECK(std::abs(passed(ratio, {how, "/integrator/courant=0.4"}).reflected - ratio.reflection()) <= 2e-3);
+        }
     }
 }
 

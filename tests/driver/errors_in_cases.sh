@@ -19,6 +19,11 @@ refused 2 'case.json: /particles/velocity: "v" is no vector of the equations. Na
 refused 2 'case.json: /particles/velocity: "p" is no vector of the equations. Name the variable that moves the particles, or set "motion": "frozen"' --set /particles/velocity=p --set /particles/motion=lagrangian
 refused 2 'case.json: /$schema: 3 is not a string. Give a string' --set '/$schema=3'
 
+echo "--- methods"
+refused_like 2 '*case.json: /method: method kspace: the box must repeat or absorb, and its face x_min does neither: *' --set '/method={"type":"kspace"}'
+refused_like 2 '*case.json: /method: method fdtd: the boundary of x_max is made for one layer of points, and order 4 needs two: *' \
+    --set '/method={"type":"fdtd","order":4}' --set '/boundaries=[{"type":"absorbing_mur","face":"x_max"}]'
+
 echo "--- types"
 for key in viscosity dissipation kernel kernels reference initial output particles integrator method; do
     refused 2 "case.json: /$key: [] is not an object. Write { ... } here" --set "/$key=[]"

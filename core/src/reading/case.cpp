@@ -83,10 +83,6 @@ void warn_unused(Case& scene, Section& root) {
     for (const char* key : {"kernel", "kernels", "equations", "viscosity", "dissipation"})
         if (root.has(key)) unused.push_back(key);
     if (!scene.arrangement->regular()) unused.push_back("particles type: it runs on its own grid of this spacing");
-    for (int a = 0; a < scene.box.dimension; ++a)
-        for (const bool upper : {false, true})
-            if (scene.closure(a, upper) == abi::Closure::mirror || scene.closure(a, upper) == abi::Closure::layers)
-                unused.push_back(std::string("the boundary of ") + "xyz"[a] + (upper ? "_max" : "_min"));
     unused.push_back("integrator type");
     scene.warnings.push_back("method " + scene.method_name + " does not use " + join(unused));
 }

@@ -58,7 +58,10 @@ void refuse_several_media(const Case& scene, const Section& root) {
     const auto refuse = [&](const std::string& what, const std::string& remedy) {
         throw Error(Fault::input, root.file() + ": /medium", "there are several media, and " + what + " one only", remedy);
     };
-    if (!scene.method->meshfree()) refuse("method " + scene.method_name + " knows of", "Use particles");
+    if (!scene.method->meshfree()) {
+        if (!scene.method->several_media()) refuse("method " + scene.method_name + " knows of", "Use another method");
+        return;
+    }
     if (scene.motion == Motion::lagrangian || scene.neighbours == Neighbours::moving)
         refuse("sets that find their neighbours anew know of", "Use a frozen set");
     for (const Variable& v : scene.equations.variables) {

@@ -15,6 +15,8 @@ SceneView::SceneView(const Case& c) {
         return static_cast<const Case*>(host)->initial_values(field, axis, points, out);
     };
     scene.particles = [](const void* host) { return make_particle_solver(*static_cast<const Case*>(host)); };
+    for (int a = 0; a < c.box.dimension; ++a)
+        for (const bool upper : {false, true}) scene.face[a][upper] = c.face(a, upper);
     scene.host = &c;
 }
 

@@ -36,7 +36,11 @@ std::vector<double> exact_pressure(const Case& scene, double t, const abi::Point
 
 Simulation::Simulation(const Case& scene) : scene_(scene) {
     const double begin = cpu_seconds();
-    solver_ = scene.method->discretise(SceneView(scene).scene);
+    try {
+        solver_ = scene.method->discretise(SceneView(scene).scene);
+    } catch (const std::invalid_argument& e) {
+        throw Error(Fault::input, scene.file + ": /method", "method " + scene.method_name + ": " + e.what());
+    }
     summary_.title = scene.title;
     summary_.method = scene.method_name;
     summary_.integrator = scene.method->meshfree() ? scene.integrator_name : "its own integrator";

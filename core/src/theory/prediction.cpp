@@ -22,6 +22,8 @@ Cost cost_of(const std::string& tier) {
     if (tier == "lattice") return {0.4, {0, 0.13, 0.19, 0.37}, {0, 0.21, 0.8, 1.2}, 0};
     if (tier == "frozen") return {10, {0, 2.4, 3.8, 5.5}, {0, 1.2, 2, 3}, 0.1};
     if (tier == "moving") return {10, {0, 3.6, 6.0, 8.5}, {0, 1.0, 2.0, 3.0}, 0.33};
+    if (tier == "kspace") return {28, {}, {}, 0};    // transforms to space and back in every step
+    if (tier == "kspace_modes") return {1.5, {}, {}, 0};
     return {0.4, {0, 0, 0.15, 0.3}, {}, 0};
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -32,17 +31,9 @@ struct PointSet {
         return kept;
     }
     /// The values replace the field's.
-    void put(std::vector<double>& field) const {
+    template <class Field>
+    void put(Field& field) const {
         for (std::size_t i = 0; i < at.size(); ++i) field[at[i]] = value[i];
-    }
-    /// field += factor * value; the sum of the values' squares.
-    double add(std::vector<double>& field, double factor) const {
-        double squares = 0;
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            field[at[i]] += factor * value[i];
-            squares += value[i] * value[i];
-        }
-        return squares;
     }
 };
 

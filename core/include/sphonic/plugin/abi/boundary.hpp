@@ -47,6 +47,8 @@ public:
     virtual double admittance() const { return 0; }
     /// For Closure::layers. Once per step and component, p before u.
     virtual void fill(const GhostLayers&) const {}
+    /// For Closure::layers: true if one layer of p is the whole wall where u lies half a spacing beyond p.
+    virtual bool pressure_suffices() const { return false; }
 };
 
 }    // namespace sphonic::abi

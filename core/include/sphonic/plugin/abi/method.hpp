@@ -2,6 +2,7 @@
 #include <limits>
 #include <memory>
 #include <sphonic/plugin/abi/arrangement.hpp>
+#include <sphonic/plugin/abi/boundary.hpp>
 #include <sphonic/plugin/abi/source.hpp>
 
 namespace sphonic::abi {
@@ -53,6 +54,7 @@ struct Scene {
     Box box;
     Medium medium;    ///< number 0 of `media`
     Media media;
+    const Boundary* face[3][2] = {};    ///< [axis][upper]; null: the box simply ends
     double until = 0;    ///< [s]
     int threads = 1;     ///< that a method may use
     const PlacedSource* sources = nullptr;
@@ -69,9 +71,12 @@ class Method {
 public:
     static constexpr const char* kind = "method";
     virtual ~Method() = default;
+    /// Throws std::invalid_argument with a remedy where the scene has what the method does not know.
     virtual std::unique_ptr<Solver> discretise(const Scene& scene) const = 0;
     /// False for a method that needs no kernel, equations or viscosity; a case that names them then gets a warning.
     virtual bool meshfree() const = 0;
+    /// True for one that knows of several media; a case that has them is refused for the others.
+    virtual bool several_media() const { return false; }
 };
 
 }    // namespace sphonic::abi
