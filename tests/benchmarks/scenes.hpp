@@ -6,6 +6,8 @@
 #include <sphonic/json.hpp>
 #include <sphonic/registry.hpp>
 
+#include "stencil.hpp"
+
 namespace sphonic::benchmarks {
 
 /// Linear sound on a lattice of n^d particles in a bounded box of unit spacing.
@@ -31,5 +33,13 @@ inline Case lattice(int dimension, int n, double h_over_dx, const std::vector<st
 }
 
 inline const std::string monaghan = R"(/viscosity={"type":"monaghan","alpha":0.06,"beta":0.5})";
+
+/// Of the first kernel's gradient: those of a lattice pair and of its mirror images along x and across it are the same but for signs.
+inline double distinct_weights(const Case& scene) {
+    double count = 0;
+    for (const Offset& n : half_neighbours(lattice_neighbours(scene.box, scene.kernels[0])))
+        for (int a = 0; a < scene.box.dimension; ++a) count += n.o[a] == 0 ? 0 : n.o[0] == 0 || (n.o[1] == 0 && n.o[2] == 0) ? 1 : 0.5;
+    return count;
+}
 
 }    // namespace sphonic::benchmarks

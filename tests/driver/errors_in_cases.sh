@@ -24,6 +24,8 @@ refused_like 2 '*case.json: /method: method kspace: the box must repeat or absor
 refused_like 2 '*case.json: /method: method fdtd: the boundary of x_max is made for one layer of points, and order 4 needs two: *' \
     --set '/method={"type":"fdtd","order":4}' --set '/boundaries=[{"type":"absorbing_mur","face":"x_max"}]'
 
+refused_like 2 '*case.json: /method: method fdtd: the boundary of x_max gives way, *' --set '/method={"type":"fdtd"}' --set '/boundaries=[{"type":"impedance","face":"x_max","impedance":400}]'
+
 echo "--- types"
 for key in viscosity dissipation kernel kernels reference initial output particles integrator method; do
     refused 2 "case.json: /$key: [] is not an object. Write { ... } here" --set "/$key=[]"

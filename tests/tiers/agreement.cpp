@@ -23,6 +23,18 @@ TEST_CASE("stencil, kept pairs and moving list agree to round-off on a frozen la
                 }
 }
 
+TEST_CASE("stencils of any reach and rows of any length agree with kept pairs", "[tiers]") {
+    for (const int d : {2, 3})
+        for (const char* h : {"0.9", "1.3", "1.7", "2.2"})
+            for (const int n : d == 2 ? std::vector<int>{6, 15, 23, 38} : std::vector<int>{6, 8}) {
+                std::vector<std::string> set{std::string("/kernel/h_over_dx=") + h, "/boundaries=[]", "/initial/p=sin(3*x+1)*cos(2*y)", "/until=0.1"};
+                const Profile lattice = final_state(d, n, set);
+                set.push_back("/particles/neighbours=frozen");
+                INFO(d << "-D, h/dx = " << h << ", " << n << " to a row");
+                CHECK(largest_difference(lattice, final_state(d, n, set)) < 1e-12);
+            }
+}
+
 TEST_CASE("equations with a current density agree between stencil and list where densities hardly change", "[tiers]") {
     const std::vector<std::string> set{"/equations=lagrangian_acoustics", "/kernel/h_over_dx=1.3", "/initial={\"p\":\"1e-6*sin(2*pi*x)\"}"};
     const Case frozen = scene(periodic_box(1, 30), set);

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "frozen_dissipation.hpp"
+#include "frozen_viscosity.hpp"
+#include "pair_rows.hpp"
 #include "parallel.hpp"
 #include "stencil.hpp"
 
@@ -67,50 +69,35 @@ private:
     }
 
     template <int D>
-    void gradient(const double* __restrict f, long i, double* sum) const {
-        const std::int64_t first = set_.list.start()[std::size_t(i)], last = set_.list.start()[std::size_t(i) + 1];
-        const std::int32_t* __restrict j = set_.list.neighbour().data();
-        const double *__restrict x = weights_.other[0].data(), *__restrict y = weights_.other[1].data(),
-                     *__restrict z = weights_.other[2].data();
-        double sx = 0, sy = 0, sz = 0;
-#pragma omp simd reduction(+ : sx, sy, sz)
-        for (std::int64_t k = first; k < last; ++k) {
-            const double value = f[j[k]];
-            sx += x[k] * value;
-            if constexpr (D > 1) sy += y[k] * value;
-            if constexpr (D > 2) sz += z[k] * value;
-        }
-        const double all[3] = {sx, sy, sz};
-        for (int a = 0; a < D; ++a) sum[a] = other_ * all[a] + own_ * weights_.own[a].data()[i] * f[i];
+    void gradient(const double* f, long i, double* sum) const {
+        const std::int64_t *start = set_.list.start().data();
+        const std::int32_t* j = set_.list.neighbour().data();
+        const double* w[3] = {weights_.other[0].data(), weights_.other[1].data(), weights_.other[2].data()};
+        const auto all = row_sum<D>(start[i], start[i + 1], [&](std::int64_t k, int a) { return w[a][k] * f[j[k]]; });
+        for (int a = 0; a < D; ++a) sum[a] = other_ * all[std::size_t(a)] + own_ * weights_.own[a].data()[i] * f[i];
     }
 
     template <int D>
     double divergence(const double* const* f, long i) const {
-        const std::int64_t first = set_.list.start()[std::size_t(i)], last = set_.list.start()[std::size_t(i) + 1];
-        const std::int32_t* __restrict j = set_.list.neighbour().data();
-        double all = 0, self = 0;
-        for (int a = 0; a < D; ++a) {
-            const double *__restrict w = weights_.other[a].data(), *__restrict u = f[a];
-            double sum = 0;
-#pragma omp simd reduction(+ : sum)
-            for (std::int64_t k = first; k < last; ++k) sum += w[k] * u[j[k]];
-            all += sum;
-            self += weights_.own[a].data()[i] * u[i];
-        }
-        return other_ * all + own_ * self;
+        const std::int64_t *start = set_.list.start().data();
+        const std::int32_t* j = set_.list.neighbour().data();
+        const double* w[3] = {weights_.other[0].data(), weights_.other[1].data(), weights_.other[2].data()};
+        const double* u[3] = {f[0], f[D > 1 ? 1 : 0], f[D > 2 ? 2 : 0]};
+        const auto all = row_sum<D>(start[i], start[i + 1], [&](std::int64_t k, int a) { return w[a][k] * u[a][j[k]]; });
+        double sum = 0;
+        for (int a = 0; a < D; ++a) sum += other_ * all[std::size_t(a)] + own_ * weights_.own[a].data()[i] * u[a][i];
+        return sum;
     }
 };
 
-/// Derivatives by constant rows; viscosities, which depend on the velocity, pair by pair.
+/// All terms of some variables, a few particles at a time.
 class FrozenProgram final : public Program {
 public:
     FrozenProgram(const PairSet& set, FrozenWeightStore& weights, const std::vector<int>& variables) : set_(set) {
-        std::vector<Share> pairwise;
         for (const int v : variables) {
             const Variable& variable = set.scene.equations.variables[std::size_t(v)];
             std::vector<int> target;
             for (int c = 0; c < variable.components(set.scene.box.dimension); ++c) target.push_back(set.components.first[std::size_t(v)] + c);
-            Share viscous{v, {}};
             bool first = true, damped = false;
             for (const Term& term : variable.terms) {
                 if (term.op == Term::Operator::dissipation) {
@@ -118,17 +105,15 @@ public:
                     continue;
                 }
                 if (term.op == Term::Operator::viscosity) {
-                    viscous.terms.push_back(&term);
+                    viscosities_.emplace_back(set, weights, term, target);
                     continue;
                 }
                 derivatives_.emplace_back(set, weights, term, target, first);
                 if (!term.fitted.empty() && !damped) dampings_.emplace_back(set, weights.cloud().of(term), target), damped = true;
                 first = false;
             }
-            if (!viscous.terms.empty()) pairwise.push_back(viscous);
             if (first) still_.insert(still_.end(), target.begin(), target.end());
         }
-        if (!pairwise.empty()) pairwise_ = make_pair_program(set, pairwise);
     }
 
     void evaluate(const Evaluation& e) override {
@@ -143,19 +128,20 @@ private:
     std::vector<CloudDamping> dampings_;
     std::vector<FrozenDissipation> dissipations_;
     std::vector<int> still_;    ///< components without a derivative
-    std::unique_ptr<Program> pairwise_;
+    std::vector<FrozenViscosity> viscosities_;
 
     void evaluate_others(const Evaluation& e) {
         if (e.assign)
             for (const int c : still_) std::fill_n(e.out[c], set_.layout.size, 0.0);
-        in_blocks(set_.threads, set_.layout.particles(), [&](long begin, long end) {
-            for (const FrozenDerivative& derivative : derivatives_) derivative.apply(e, begin, end);
-            for (const CloudDamping& damping : dampings_) damping.apply(e, begin, end);
+        constexpr long few = 32;    // whose weights stay in the first-level cache from term to term
+        in_blocks(set_.threads, set_.layout.particles(), [&](long block, long end_of_block) {
+            for (long begin = block; begin < end_of_block; begin += few) {
+                const long end = std::min(begin + few, end_of_block);
+                for (const FrozenDerivative& derivative : derivatives_) derivative.apply(e, begin, end);
+                for (const FrozenViscosity& viscosity : viscosities_) viscosity.apply(e, begin, end);
+                for (const CloudDamping& damping : dampings_) damping.apply(e, begin, end);
+            }
         });
-        if (!pairwise_) return;
-        Evaluation added = e;
-        added.assign = false;
-        pairwise_->evaluate(added);
     }
 };
 

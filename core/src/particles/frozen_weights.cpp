@@ -89,6 +89,7 @@ double FrozenWeightStore::bytes() const {
     for (const auto& [key, w] : known_)
         for (int a = 0; a < 3; ++a) total += 8.0 * double(w.own[a].size() + w.other[a].size());
     for (const auto& [key, a] : couplings_) total += 8.0 * double(a.size());
+    for (const auto& [kernel, q] : separations_) total += 8.0 * double(q.size());
     return total;
 }
 

@@ -29,6 +29,8 @@ public:
     bool holds_coefficients(const Term& term) const { return set_.media.several() && !term.form->uniform(); }
     /// a_ij of every pair at alpha = 1 [1/s]. In frozen_dissipation.cpp.
     const Array& of(const abi::Dissipation& dissipation, int kernel);
+    /// 1 / (V (dW/dr)/r) of every pair [m^2], zero where the slope is. In frozen_viscosity.cpp.
+    const Array& separations(int kernel);
     double bytes() const;
 
 private:
@@ -36,6 +38,7 @@ private:
     std::map<std::string, FrozenWeights> known_;
     CloudWeightStore cloud_{set_};
     std::map<std::pair<const abi::Dissipation*, int>, Array> couplings_;
+    std::map<int, Array> separations_;
 
     FrozenWeights sum_rows(const CloudWeights& fitted) const;
     FrozenWeights weigh(int kernel, abi::Correction correction, const std::vector<RestCoefficients>& between) const;

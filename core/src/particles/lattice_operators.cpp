@@ -4,14 +4,16 @@
 
 #include "lattice_mends.hpp"
 #include "parallel.hpp"
+#include "sliding_rows.hpp"
 #include "stencil_rows.hpp"
 
 namespace sphonic {
 namespace {
 
-/// The interior's weights of one medium, folded for a gradient and for a divergence.
+/// The interior's weights of one medium, made ready for sliding rows and, by pairs, for a gradient and for a divergence.
 struct FoldedStencil {
-    FoldedStencil(const LatticeGrid& grid, const std::vector<Offset>& stencil, double factor) {
+    FoldedStencil(const LatticeGrid& grid, const std::vector<Offset>& stencil, double factor, bool gradient)
+        : sliding(grid.layout, stencil, factor, gradient) {
         for (const Offset& n : half_neighbours(stencil)) {
             FoldedPair pair{grid.stride(n), {}};
             for (int a = 0; a < 3; ++a) pair.weight[a] = factor * n.gradient[a];
@@ -20,6 +22,7 @@ struct FoldedStencil {
                 if (pair.weight[a] != 0) taps[a].push_back({pair.at, pair.weight[a]});
         }
     }
+    SlidingStencil sliding;
     std::vector<FoldedPair> pairs;
     std::vector<FoldedTap> taps[3];
 };
@@ -32,7 +35,7 @@ std::vector<std::vector<Offset>> interior(const LatticeGrid& grid, const Term& t
     return all;
 }
 
-/// Gradient or divergence: interior by folded stencils, what they leave wrong mended afterwards.
+/// Gradient or divergence: interior by sliding rows, or, along one axis and where those do not apply, by folded pairs, what they leave wrong mended afterwards.
 class Derivative final : public LatticeOperator {
 public:
     Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
@@ -43,7 +46,8 @@ public:
         : grid_(grid), term_(term), target_(std::move(target)), mended_(grid, term, stencils) {
         for (std::size_t m = 0; m < stencils.size(); ++m) {
             const abi::Medium& medium = grid.media.list()[m];
-            stencils_.emplace_back(grid, stencils[m], term.coefficient[m] * rest_coefficients(*term.form, derivative(term), medium, medium).other);
+            const double factor = term.coefficient[m] * rest_coefficients(*term.form, derivative(term), medium, medium).other;
+            stencils_.emplace_back(grid, stencils[m], factor, term.op == Term::Operator::gradient);
         }
         const int d = grid.scene.box.dimension;
         const Variable& operand = grid.scene.equations.variables[std::size_t(term.operand)];
@@ -56,7 +60,6 @@ public:
         double* out[3];
         for (std::size_t a = 0; a < target_.size(); ++a) out[a] = e.out[target_[a]];
         sweep(e, out, {e.scale, e.assign});
-        mend(e, out, e.scale);
     }
 
 private:
@@ -72,19 +75,39 @@ private:
     std::vector<PowerOf> factors_;
     Array scratch_[3];
 
+    using Fields = const double* const*;
+
     template <int D>
     void sweep_in(const Evaluation& e, double* const* out, const Finish& finish) const {
         const double* f[3] = {};
         for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
-        constexpr int wide = D == 3 ? 3 : 4;
-        const bool gradient = term_.op == Term::Operator::gradient;
         grid_.for_blocks([&](int medium, long offset, long n) {
             const FoldedStencil& s = stencils_[std::size_t(medium)];
-            if (gradient)
-                sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, s.pairs.data(), s.pairs.size(), sum); });
-            else
-                sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, Lane(&sum)[1][V]) { divergence_block<D, V>(f, i, s.taps, sum); });
+            switch (D > 1 && columns_fit ? s.sliding.reach : 0) {
+                case 1: slide<D, 1>(s.sliding, f, offset, n, finish, out); break;
+                case 2: slide<D, 2>(s.sliding, f, offset, n, finish, out); break;
+                case 3: slide<D, 3>(s.sliding, f, offset, n, finish, out); break;
+                default: sweep_pairs<D>(s, f, offset, n, finish, out);
+            }
         });
+        mended_.mend(f, out, finish.scale);
+    }
+
+    template <int D, int R>
+    void slide(const SlidingStencil& s, Fields f, long offset, long n, const Finish& finish, double* const* out) const {
+        if (target_.size() > 1)
+            SlidingRow<R, std::max(1, D - 1), true>::apply(s, f, offset, n, finish, out);
+        else
+            SlidingRow<R, 1, false>::apply(s, f, offset, n, finish, out);
+    }
+
+    template <int D>
+    void sweep_pairs(const FoldedStencil& s, Fields f, long offset, long n, const Finish& finish, double* const* out) const {
+        constexpr int wide = D == 3 ? 3 : 4;
+        if (term_.op == Term::Operator::gradient)
+            sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, s.pairs.data(), s.pairs.size(), sum); });
+        else
+            sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, Lane(&sum)[1][V]) { divergence_block<D, V>(f, i, s.taps, sum); });
     }
 
     void sweep(const Evaluation& e, double* const* out, const Finish& finish) const {
@@ -93,12 +116,6 @@ private:
             case 2: return sweep_in<2>(e, out, finish);
             default: return sweep_in<3>(e, out, finish);
         }
-    }
-
-    void mend(const Evaluation& e, double* const* out, double scale) const {
-        const double* f[3] = {};
-        for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
-        mended_.mend(f, out, scale);
     }
 
     /// The derivative into scratch, then multiplied by powers of variables.
@@ -110,7 +127,6 @@ private:
             out[a] = scratch_[a].data();
         }
         sweep(e, out, {1, true});
-        mend(e, out, 1);
         for (std::size_t a = 0; a < target_.size(); ++a)
             in_row_blocks(grid_.threads, l, [&](long, long offset, long, long n) {
                 multiply_row(e, out[a] + offset, e.out[target_[a]] + offset, offset, n);

@@ -17,6 +17,7 @@ Layout Layout::flat(long n, long room) {
 
 Layout Layout::grid(const abi::Box& box, long reach) {
     constexpr long line = lanes;    // a cache line holds as many doubles as the widest vector
+    constexpr long before = line, after = 3 * line;    // what stencils that work ahead read beyond the first and the last row
     Layout layout;
     layout.dimension = box.dimension;
     for (int a = 0; a < box.dimension; ++a) {
@@ -27,8 +28,8 @@ Layout Layout::grid(const abi::Box& box, long reach) {
     const long row = (lead + layout.count[0] + reach + 2 * line - 1) / line * line;
     layout.stride[1] = row;
     layout.stride[2] = row * (layout.count[1] + 2 * layout.ghosts[1]);
-    layout.origin = lead + layout.ghosts[1] * layout.stride[1] + layout.ghosts[2] * layout.stride[2];
-    layout.size = layout.stride[2] * (layout.count[2] + 2 * layout.ghosts[2]);
+    layout.origin = before + lead + layout.ghosts[1] * layout.stride[1] + layout.ghosts[2] * layout.stride[2];
+    layout.size = before + layout.stride[2] * (layout.count[2] + 2 * layout.ghosts[2]) + after;
     return layout;
 }
 

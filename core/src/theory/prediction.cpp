@@ -19,8 +19,8 @@ struct Cost {
     double geometry;    ///< share of a neighbour's cost that every call pays, however few equations it evaluates
 };
 Cost cost_of(const std::string& tier) {
-    if (tier == "lattice") return {0.4, {0, 0.13, 0.19, 0.37}, {0, 0.21, 0.8, 1.2}, 0};
-    if (tier == "frozen") return {10, {0, 2.4, 3.8, 5.5}, {0, 1.2, 2, 3}, 0.1};
+    if (tier == "lattice") return {0.4, {0, 0.13, 0.12, 0.21}, {0, 0.2, 0.56, 0.95}, 0};
+    if (tier == "frozen") return {4, {0, 0.9, 2.5, 3.1}, {0, 1.5, 3.7, 4.2}, 0.1};
     if (tier == "moving") return {10, {0, 3.6, 6.0, 8.5}, {0, 1.0, 2.0, 3.0}, 0.33};
     if (tier == "kspace") return {28, {}, {}, 0};    // transforms to space and back in every step
     if (tier == "kspace_modes") return {1.5, {}, {}, 0};

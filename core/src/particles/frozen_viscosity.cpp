@@ -1,0 +1,70 @@
+#include "frozen_viscosity.hpp"
+
+#include <algorithm>
+
+#include "pair_rows.hpp"
+
+namespace sphonic {
+
+const Array& FrozenWeightStore::separations(int kernel) {
+    Array& q = separations_[kernel];
+    if (q.data()) return q;
+    const Array& slope = set_.kept->slope[std::size_t(kernel)];
+    q = Array(slope.size());
+    for (std::size_t k = 0; k < slope.size(); ++k) q.data()[k] = slope.data()[k] == 0 ? 0 : 1 / (set_.volume * slope.data()[k]);
+    return q;
+}
+
+FrozenViscosity::FrozenViscosity(const PairSet& set, FrozenWeightStore& weights, const Term& term, std::vector<int> target)
+    : set_(set), term_(term), weights_(weights.of(term.kernel, abi::Correction::none)), separation_(weights.separations(term.kernel).data()),
+      target_(std::move(target)), velocity_(set.components.first[std::size_t(term.operand)]) {}
+
+void FrozenViscosity::apply(const Evaluation& e, long begin, long end) const {
+    switch (set_.scene.box.dimension) {
+        case 1: return apply_in<1>(e, begin, end);
+        case 2: return apply_in<2>(e, begin, end);
+        default: return apply_in<3>(e, begin, end);
+    }
+}
+
+template <int D>
+void FrozenViscosity::apply_in(const Evaluation& e, long begin, long end) const {
+    const std::int64_t* start = set_.list.start().data();
+    while (begin < end) {
+        long last = begin + 1;
+        while (last < end && start[last + 1] - start[begin] <= most_pairs) ++last;
+        apply_tile<D>(e, begin, last);
+        begin = last;
+    }
+}
+
+template <int D>
+void FrozenViscosity::apply_tile(const Evaluation& e, long begin, long end) const {
+    const std::int64_t *start = set_.list.start().data(), base = start[begin];
+    const std::int32_t* j = set_.list.neighbour().data();
+    const int n = int(start[end] - base);
+    double local[2 * most_pairs];
+    std::vector<double> large(n > most_pairs ? std::size_t(2 * n) : 0);    // one particle with as many neighbours
+    double *u_dot_r = large.empty() ? local : large.data(), *Pi = u_dot_r + std::max<long>(n, most_pairs);
+    const double *u[D], *w[D];
+    for (int a = 0; a < D; ++a) {
+        u[a] = e.state[velocity_ + a];
+        w[a] = weights_.other[a].data();
+    }
+    for (long i = begin; i < end; ++i)
+        for (std::int64_t k = start[i]; k < start[i + 1]; ++k) {
+            double sum = 0;
+            for (int a = 0; a < D; ++a) sum += (u[a][i] - u[a][j[k]]) * w[a][k];
+            u_dot_r[k - base] = separation_[k] * sum;
+        }
+    const abi::Medium& medium = set_.scene.medium;
+    term_.viscosity->pairs({.n = n, .u_dot_r = u_dot_r, .r2 = set_.kept->r2.data() + base, .h = set_.scene.kernels[std::size_t(term_.kernel)].h,
+                            .c = medium.c0, .rho = medium.rho0}, Pi);
+    const double scale = -e.scale * set_.mass / set_.volume;
+    for (long i = begin; i < end; ++i) {
+        const auto sum = row_sum<D>(start[i], start[i + 1], [&](std::int64_t k, int a) { return w[a][k] * Pi[k - base]; });
+        for (int a = 0; a < D; ++a) e.out[target_[std::size_t(a)]][i] += scale * sum[std::size_t(a)];
+    }
+}
+
+}    // namespace sphonic

@@ -1,0 +1,112 @@
+#pragma once
+/// A stencil across and along a row of particles with every row loaded once per vector: what it gathers across the row stays in
+/// registers while it slides along.
+
+#include <utility>
+
+#include "lanes.hpp"
+#include "sliding_stencil.hpp"
+#include "stencil_rows.hpp"
+
+namespace sphonic {
+
+/// True where there are registers for the columns of three vectors: 32 of 512 bits.
+#ifdef __AVX512F__
+inline constexpr bool columns_fit = true;
+#else
+inline constexpr bool columns_fit = false;
+#endif
+
+/// Columns A_1 ... A_R and E sets of columns B_0 ... B_R at V vectors of places.
+template <int R, int E, int V>
+struct Gathered {
+    Lane odd[R][V] = {};
+    Lane even[E][R + 1][V] = {};
+
+    [[gnu::always_inline]] Gathered(const SlidingStencil& stencil, const double* const* f, std::ptrdiff_t i) {
+        add<true, true>(stencil.both, f, i);
+        add<true, false>(stencil.sums, f, i);
+        add<false, true>(stencil.differences, f, i);
+    }
+
+private:
+    /// Rows that are summed, subtracted, or both: of a divergence those of u_x, those of the others; of a gradient all.
+    template <bool sums, bool differences>
+    [[gnu::always_inline]] void add(const std::vector<SlidingStencil::Row>& rows, const double* const* f, std::ptrdiff_t i) {
+        for (const SlidingStencil::Row& row : rows) {
+            const double *ahead = f[row.component] + i + row.at, *behind = f[row.component] + i - row.at;
+#pragma GCC unroll 2
+            for (int v = 0; v < V; ++v) {
+                const Lane a = load(ahead + v * lanes), b = load(behind + v * lanes), sum = a + b, difference = a - b;
+#pragma GCC unroll 4
+                for (int s = 0; sums && s < R; ++s) odd[s][v] += row.odd[s] * sum;
+#pragma GCC unroll 2
+                for (int e = 0; differences && e < E; ++e)
+#pragma GCC unroll 5
+                    for (int s = 0; s <= R; ++s) even[e][s][v] += row.even[e][s] * difference;
+            }
+        }
+    }
+};
+
+/// The values from place S of two consecutive vectors on.
+template <int S>
+inline Lane shifted(Lane first, Lane second) {
+    using Places = long long __attribute__((vector_size(8 * lanes)));
+    static_assert(lanes == 8);
+    return __builtin_shuffle(first, second, Places{S, S + 1, S + 2, S + 3, S + 4, S + 5, S + 6, S + 7});
+}
+
+template <int R, int E, bool gradient>
+class SlidingRow {
+public:
+    static constexpr int columns = R + E * (R + 1), outputs = gradient ? 1 + E : 1;
+    static constexpr int V = 5 * columns <= 25 ? 2 : 1;    ///< vectors at a time, so that all columns stay in registers
+    using Window = Gathered<R, E, V>;
+
+    static void apply(const SlidingStencil& stencil, const double* const* f, std::ptrdiff_t offset, long n, const Finish& finish, double* const* out) {
+        Window behind(stencil, f, offset - V * lanes), here(stencil, f, offset);
+        for (long i = 0; i < n; i += V * lanes) {
+            const Window ahead(stencil, f, offset + i + V * lanes);
+#pragma GCC unroll 2
+            for (int v = 0; v < V; ++v) {
+                const Step step{behind, here, ahead, v};
+                Lane sum[outputs][1] = {};
+                sum[0][0] = step.odd(std::make_integer_sequence<int, R>());
+#pragma GCC unroll 2
+                for (int e = 0; e < E; ++e) sum[gradient ? 1 + e : 0][0] += step.even(e, std::make_integer_sequence<int, R>());
+                const long left = n - i - v * lanes;
+                if (left >= lanes)
+                    finish_block(sum, finish, out, offset + i + v * lanes);
+                else if (left > 0)
+                    finish_part(sum, finish, out, offset + i + v * lanes, left);
+            }
+            behind = here;
+            here = ahead;
+        }
+    }
+
+private:
+    struct Step {
+        const Window &behind, &here, &ahead;
+        int v;
+
+        /// sum_s A_s(i + s) - A_s(i - s)
+        template <int... S>
+        [[gnu::always_inline]] Lane odd(std::integer_sequence<int, S...>) const {
+            return (about<S + 1>(behind.odd[S], here.odd[S], ahead.odd[S], -1) + ...);
+        }
+        /// B_0(i) + sum_s B_s(i + s) + B_s(i - s)
+        template <int... S>
+        [[gnu::always_inline]] Lane even(int e, std::integer_sequence<int, S...>) const {
+            return here.even[e][0][v] + (about<S + 1>(behind.even[e][S + 1], here.even[e][S + 1], ahead.even[e][S + 1], 1) + ...);
+        }
+        template <int S>
+        [[gnu::always_inline]] Lane about(const Lane* before, const Lane* at, const Lane* after, int sign) const {
+            const Lane next = shifted<S>(at[v], v + 1 < V ? at[v + 1] : after[0]), last = shifted<lanes - S>(v > 0 ? at[v - 1] : before[V - 1], at[v]);
+            return sign > 0 ? next + last : next - last;
+        }
+    };
+};
+
+}    // namespace sphonic
