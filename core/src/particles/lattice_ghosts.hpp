@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -19,6 +20,8 @@ public:
     void fill(int component, double* field, const double* pressure, double t);
     /// Forgets what layers with memory were before.
     void restart();
+    /// What they now were.
+    std::vector<std::span<double>> remembered();
 
 private:
     /// Values by layer and column.
