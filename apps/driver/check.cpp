@@ -21,6 +21,7 @@ Json check_json(const Summary& s, const Prediction& p) {
         layers.push_back({{"face", layer.face}, {"omega", layer.omega}, {"normal_db", layer.normal}, {"oblique_db", layer.oblique}, {"oblique_angle", oblique_angle}});
     return {{"title", s.title}, {"particles", s.particles}, {"tier", s.tier}, {"neighbours_mean", s.neighbours_mean},
             {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak},
+            {"dt_mild", s.dt_mild}, {"growth_exponent", s.growth},
             {"predicted", {{"l2", optional_json(p.l2)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
                            {"memory_bytes", p.memory_bytes}, {"basis", p.basis}, {"layers", layers}}},
             {"warnings", warnings}};
@@ -43,6 +44,8 @@ int check(const RunOptions& options) {
     std::printf("  %ld particles, %s tier, %.1f neighbours, %ld steps\n", s.particles, s.tier.c_str(), s.neighbours_mean, s.steps);
     std::printf("  step %.4g s (c0 dt/dx = %.4g), %s %.4g s (c0 dt/dx = %.4g)\n", s.dt, s.dt * courant,
                 s.weak ? "grows at any step, by less than e^12 in this run up to" : "stable to", s.dt_limit, s.dt_limit * courant);
+    if (s.weak && s.dt_limit > 0)
+        std::printf("  the worst mode grows by e^%.3g in this run; by e at the step %.4g s (c0 dt/dx = %.4g)\n", s.growth, s.dt_mild, s.dt_mild * courant);
     if (p.speed_error) std::printf("  predicted speed of long waves: %+.3g %%\n", 100 * *p.speed_error);
     if (p.l2) std::printf("  predicted L2 error: %.3g\n", *p.l2);
     for (const LayerReturn& layer : p.layers)

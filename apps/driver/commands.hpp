@@ -19,6 +19,15 @@ struct RunOptions : Common {
     int threads = 0;    ///< 0: as many as the set is worth
 };
 
+struct StabilityOptions : RunOptions {
+    std::vector<std::string> vary;    ///< "/pointer=a:b:n", none to two
+    bool spectrum = false;
+    long long_steps = 0;              ///< of a run for weak growth; 0: none
+    long steps = 3000;                ///< of a run that decides whether a step is stable
+    double precision = 1e-3;
+    int seed = 1;
+};
+
 struct DescribeOptions : Common {
     std::string kind, name;    ///< either empty: all of them
     bool markdown = false;
@@ -36,6 +45,7 @@ struct KernelOptions : Common {
 int run(const RunOptions& options);
 int check(const RunOptions& options);
 int study(const RunOptions& options);
+int stability(const StabilityOptions& options);
 int list(const Common& options);
 int describe(const DescribeOptions& options);
 int schema(const Common& options);

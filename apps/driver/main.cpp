@@ -35,6 +35,7 @@ void add_output(CLI::App& command, RunOptions& options) {
 /// What the command line says, and the exit code of what it asked for.
 struct Arguments {
     RunOptions options;
+    StabilityOptions stability;
     DescribeOptions described;
     KernelOptions card;
     std::string kind, name;
@@ -56,6 +57,21 @@ void add_case_commands(CLI::App& app, Arguments& a) {
     add_case(*study_command, a.options, "STUDY");
     add_output(*study_command, a.options);
     study_command->callback([&a] { a.result = study(a.options); });
+}
+
+void add_stability_command(CLI::App& app, Arguments& a) {
+    StabilityOptions& options = a.stability;
+    auto* command = app.add_subcommand("stability", "the largest stable step of a case by theory and by bisection; maps and spectra");
+    add_case(*command, options, "CASE");
+    command->add_option("--vary", options.vary, "/pointer=a:b:n: a table and a chart over n values from a to b; twice: a map");
+    command->add_flag("--spectrum", options.spectrum, "draw the eigenvalues in the integrator's stability region");
+    command->add_option("--long", options.long_steps, "growth over so many steps at the case's own step, beside ln |xi|")->check(CLI::Range(10L, 100000000L));
+    command->add_option("--steps", options.steps, "of a run that decides whether a step is stable")->check(CLI::Range(100L, 100000000L))->capture_default_str();
+    command->add_option("--precision", options.precision, "of the bisection, relative")->check(CLI::Range(1e-6, 0.1))->capture_default_str();
+    command->add_option("--seed", options.seed, "of the noise that sets runs off")->check(CLI::Range(0, 1000000000))->capture_default_str();
+    command->add_option("--out", options.out, "output folder; default runs/NAME-stability if there is a chart");
+    command->add_flag("--force", options.force, "replace the output folder if it exists");
+    command->callback([&a] { a.result = stability(a.stability); });
 }
 
 void add_plugin_commands(CLI::App& app, Arguments& a) {
@@ -100,6 +116,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     Arguments arguments;
     add_case_commands(app, arguments);
+    add_stability_command(app, arguments);
     add_plugin_commands(app, arguments);
     try {
         app.parse(argc, argv);
@@ -111,7 +128,7 @@ int main(int argc, char** argv) {
             app.exit(e, std::cout, std::cerr);
             return int(sphonic::Fault::input);
         }
-        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, list, describe, kernel, schema, new");
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, stability, list, describe, kernel, schema, new");
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);

@@ -158,3 +158,25 @@ sphonic run first/resolved.json --out second
 cmp -s first/profile.csv second/profile.csv && cmp -s first/resolved.json second/resolved.json \
     && ok "resolved.json runs again to the same bits" || failed "resolved.json runs again to the same bits" "exit code: $code" "$err"
 
+
+echo "--- stability"
+rm -rf parent/known
+misused 2 'case.json: /kernel/typ: unknown key "typ". Did you mean "type"?' stability case.json --set /kernel/typ=gaussian
+misused 2 '--vary /kernel/h: is not /pointer=a:b:n. Write such as --vary /kernel/h_over_dx=1:3:9' stability case.json --out parent/out --vary /kernel/h
+misused 2 '--vary /kernel/h=0.04:0.08: is not /pointer=a:b:n. *' stability case.json --out parent/out --vary /kernel/h=0.04:0.08
+misused 2 '--vary /kernel/h=0.04:0.08:3x: is not /pointer=a:b:n. *' stability case.json --out parent/out --vary /kernel/h=0.04:0.08:3x
+misused 2 '--vary /kernel/h=0.08:0.04:3: the first value is not below the last. *' stability case.json --out parent/out --vary /kernel/h=0.08:0.04:3
+misused 2 '--vary /kernel/h=0.04:0.08:1: 1 values. Ask for 2 to 400' stability case.json --out parent/out --vary /kernel/h=0.04:0.08:1
+misused 2 '--vary /kernel/hh=1: case.json: /kernel/hh: unknown key "hh". Did you mean "h"?*' stability case.json --out parent/out --vary /kernel/hh=1:2:3
+misused 2 '--vary /until: a map has two axes. Vary one parameter or two' stability case.json --out parent/out --vary /kernel/h=0.04:0.08:3 --vary /integrator/courant=1:2:3 --vary /until=1:2:2
+misused 2 '--vary /kernel/h: is given twice. Vary one parameter or two' stability case.json --out parent/out --vary /kernel/h=0.04:0.08:3 --vary /kernel/h=0.04:0.08:3
+misused 2 'case.json: /integrator: the step is a fraction of the limit, so that all is stable. Give dt or courant, or vary one of them' stability case.json --out parent/out --set '/integrator={"type":"leapfrog"}' --vary /kernel/h=0.04:0.08:3 --vary /particles/dx=0.02:0.04:2
+misused 2 '*case.json: /method/type: "fdtd" tells its limit but not how it grows. Leave --long out' stability case.json --out parent/out --set '/method={"type":"fdtd"}' --long 100
+misused 2 '*case.json: /method/type: "fdtd" does not show its operator. Leave --spectrum out' stability case.json --out parent/out --set '/method={"type":"fdtd"}' --spectrum
+misused 2 '--precision: *' stability case.json --precision 0
+misused 5 'precious: exists already. Give --force to replace it, or another --out' stability case.json --out precious
+sphonic stability case.json --json
+[[ $code == 0 && -z $err && $out == *'"predicted": {'*'"dt": '*'"courant_dx": '*'"measured": {'*'"dt": '*'"courant_dx": '* ]] && ok "stability prints JSON" || failed "stability prints JSON" "$code" "$err" "$out"
+sphonic stability case.json --out mapped --vary /kernel/h=0.04:0.06:2 --vary /integrator/courant=1:3:2 --spectrum --steps 300
+[[ $code == 0 && $(ls mapped | tr '\n' ' ') == 'map.png map.svg resolved.json spectrum.png spectrum.svg stability.json table.csv ' && $(wc -l <mapped/table.csv) == 5 ]] &&
+    ok "stability writes a map and a spectrum" || failed "stability writes a map and a spectrum" "$code" "$err" "$(ls mapped)"

@@ -98,6 +98,20 @@ TEST_CASE("at the fitting height the raster takes the width that it has") {
     CHECK(fitting_height(strip) >= 300);    // the colour bar needs some
 }
 
+TEST_CASE("cells are filled around their points, beneath the lines, with the legend outside") {
+    Chart chart{.title = "map", .panels = {Panel{}}};
+    chart.panels[0].x = {.label = "h / dx [1]", .lower = 0.5, .upper = 2.5};
+    chart.panels[0].y = {.label = "c0 dt / dx [1]", .lower = 0.75, .upper = 1.75};
+    chart.panels[0].curves = {{.label = "limit", .x = {1, 2}, .y = {1, 1.5}, .style = Curve::Style::dashed},
+                              {.label = "stable", .x = {1, 2, 1, 2}, .y = {1, 1, 1.5, 1.5}, .style = Curve::Style::cells, .family = 0, .cell_width = 1, .cell_height = 0.5}};
+    const std::string script = drawn(chart, false).script;
+    const auto cells = script.find(":(0.5):(0.25) with boxxyerror");
+    REQUIRE(cells != std::string::npos);
+    CHECK(cells < script.find("using 1:2 with lines"));
+    CHECK(script.find(" center bottom") != std::string::npos);
+    CHECK(drawn(chart).svg.find("stable") != std::string::npos);
+}
+
 TEST_CASE("a drawn raster is an image in both files, of modest size, with the texts verbatim") {
     const int side = 500;
     std::vector<double> values;

@@ -13,10 +13,11 @@ struct Curve {
     std::string label;    ///< in the legend; empty: not in the legend
     std::vector<double> x, y;
     /// `dashed` is for what the others are compared with and is black unless it has a family;
-    /// `steps` holds each y until the next x and rings the points.
-    enum class Style { line, points, line_points, dashed, steps } style = Style::line;
+    /// `steps` holds each y until the next x and rings the points; `cells` fills a cell around each point, beneath all lines.
+    enum class Style { line, points, line_points, dashed, steps, cells } style = Style::line;
     std::vector<std::string> point_labels;    ///< none, or one per point (may be empty), drawn beside it
     int family = -1;                          ///< curves of the same family share a colour; -1: by position
+    double cell_width = 0, cell_height = 0;   ///< of `cells`, on the panel's axes
 };
 
 struct Axis {

@@ -39,6 +39,8 @@ struct Summary {
     long steps = 0;
     double dt = 0, dt_limit = 0;
     bool weak = false;    ///< the integrator has no limit of its own
+    /// Of a weak one: the step at which the worst mode grows by e in the run [s], and the exponent by which it will grow at `dt`.
+    double dt_mild = 0, growth = 0;
     long particles = 0;
     double neighbours_mean = 0;
     int threads = 1;
@@ -56,6 +58,9 @@ struct Summary {
 };
 
 Json to_json(const Summary& summary);
+
+/// The step that a case asks for [s], of which the stable limit is dt_limit: by dt, Courant number or safety.
+double asked_step(const Case& scene, double dt_limit);
 
 struct Progress {
     long step, steps;
@@ -93,6 +98,7 @@ private:
     Profile measured_;               ///< that errors were taken from: some references are dear
 
     void fix_step();
+    void predict_growth();
     void find_probes();
     void sample();
     void complete(Profile& profile) const;

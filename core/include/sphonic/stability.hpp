@@ -1,6 +1,8 @@
 #pragma once
 #include <complex>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -30,7 +32,7 @@ double long_wave_speed(const Case& scene, const double* direction);
 double dispersion(const Case& scene, double k, const double* direction);
 
 /// The equations of a case on its own particles, linearised at rest, over (component, particle): z' = A z with the dissipation times
-/// `dissipation`. Dense: for some hundred particles with a neighbour list, and without viscosity, which is not linear.
+/// `dissipation`, and viscosity at half strength, the odd part of one that acts on approaching pairs only. Dense: for some hundred particles.
 Symbol assembled(const Case& scene, double dissipation = 1);
 /// Stability of a set: none may have a positive real part.
 std::vector<std::complex<double>> eigenvalues(const Symbol& matrix);
@@ -42,7 +44,9 @@ struct StepLimit {
     double dt = 0;         ///< largest stable step [s]; 0 where growth cannot be kept small by any useful step
     double frequency = 0;  ///< largest of the operator's over the zone [1/s]
     bool weak = false;     ///< the integrator grows at any step: dt is where the worst mode grows by e^12 within `until`
+    double mild = 0;       ///< of a weak one: where the worst mode grows by e within `until` [s]
 };
+inline constexpr double weak_exponent = 12;    ///< growth over the run that a weakly unstable integrator may reach
 
 /// The largest omega dt that the case's integrator bears for an undamped oscillation of p and u; 0 where it grows at any step.
 double oscillator_limit(const Case& scene);
@@ -51,9 +55,49 @@ double oscillator_limit(const Case& scene);
 /// delta > 0 to their frequency omega.
 double decaying_limit(const Case& scene);
 
-/// The largest stable step of the case on its lattice, with viscosity always on, in the most demanding medium. Dissipation counts where
+/// The largest stable step of the case on its lattice, with viscosity always on and without any, in the most demanding medium. Dissipation counts where
 /// the particles are on that lattice.
 StepLimit step_limit(const Case& scene);
+
+/// True if a term is a viscosity's.
+bool is_viscous(const Case& scene);
+
+struct Mode;
+class StepMap;
+
+/// What theory says of the steps of a case's own set: the motions that it carries, under the case's integrator. On a lattice whose faces
+/// are periodic or mirrors these are the wave vectors that fit into its box, the damping as asked for. Elsewhere they are the
+/// eigenvalues of the assembled operator with what lies beyond its walls, viscosity at half strength: all of a small set's, of a large
+/// one's those of largest magnitude and largest real part.
+class StepTheory {
+public:
+    /// The case must outlive the theory.
+    explicit StepTheory(const Case& scene, Damping damping = {.viscosity = 0.5});
+    ~StepTheory();
+
+    StepLimit limit() const;
+    /// Largest ln |xi| of a step dt [s].
+    double growth(double dt) const;
+    /// Of the operator [1/s].
+    const std::vector<std::complex<double>>& eigenvalues() const { return eigenvalues_; }
+    /// Such as "the 26 wave vectors of its box".
+    const std::string& basis() const { return basis_; }
+    /// True where the damping is as asked for.
+    bool by_box() const { return by_box_; }
+
+private:
+    const Case& scene_;
+    std::vector<Mode> modes_;
+    std::unique_ptr<StepMap> map_;    ///< where walls remember
+    std::vector<std::complex<double>> eigenvalues_;
+    std::string basis_;
+    bool by_box_ = false;
+
+    void of_assembled(double dissipation);
+};
+
+/// Largest |xi| of a step in which the operator times the step has the eigenvalue `z`, alike for p and u.
+double amplification(const Case& scene, std::complex<double> z);
 
 /// True if the case's integrator passes through states within a step that it does not keep: walls with memory cannot follow it.
 bool works_in_stages(const Case& scene);

@@ -6,7 +6,7 @@
 namespace sphonic::charting {
 
 bool has_markers(const Curve& curve) {
-    return curve.style != Curve::Style::line && curve.style != Curve::Style::dashed;
+    return curve.style != Curve::Style::line && curve.style != Curve::Style::dashed && curve.style != Curve::Style::cells;
 }
 
 double marker_size(const Curve& curve) {
@@ -26,6 +26,11 @@ Ink ink_of(const Panel& panel, const Frame& frame, double font) {
                 continue;
             }
             const Pixel p = frame.at(curve.x[i], curve.y[i]);
+            if (curve.style == Curve::Style::cells) {
+                const Pixel low = frame.at(curve.x[i] - curve.cell_width / 2, curve.y[i] - curve.cell_height / 2);
+                ink.box({low.x, low.y, 2 * p.x - low.x, 2 * p.y - low.y}, 1);
+                continue;
+            }
             if (reach > 0) ink.box({p.x - reach, p.y - reach, p.x + reach, p.y + reach}, 5);
             if (before && curve.style == Curve::Style::steps) {
                 ink.line(*before, {p.x, before->y});

@@ -78,7 +78,7 @@ void write_curves(const Pen& pen, const Panel& panel, std::size_t index, double 
         for (std::size_t c = 0; c < looks.size(); ++c)
             if (looks[c].layer == layer)
                 for (const std::string& pass : looks[c].in_plot)
-                    pen.out << ", \\\n  " << data_block(index, c) << " using 1:2 " << pass << " notitle";
+                    pen.out << ", \\\n  " << data_block(index, c) << " using 1:2" << pass << " notitle";
     for (std::size_t c = 0; c < looks.size(); ++c)
         if (!panel.curves[c].label.empty())
             pen.out << ", \\\n  NaN " << looks[c].in_legend << " title " << quoted(panel.curves[c].label);

@@ -51,17 +51,28 @@ std::string marker_of(const Curve& curve, Rank rank, double size) {
     return out.str();
 }
 
+/// Light, so that lines over them are seen.
+constexpr std::array cell_colours{"#cfe6f5", "#fbe3a9", "#f2b8a6"};
+
+Look cells_of(const Curve& curve) {
+    std::ostringstream size;
+    size << ":(" << curve.cell_width / 2 << "):(" << curve.cell_height / 2 << ")";
+    const std::string colour = cycled(cell_colours, static_cast<std::size_t>(std::max(0, curve.family)));
+    return {{size.str() + " with boxxyerror lc rgb '" + colour + "' fillstyle solid"}, "with boxes lc rgb '" + colour + "' fillstyle solid", 0};
+}
+
 Look look_of(const Curve& curve, Rank rank, double line_scale, double marker_scale) {
+    if (curve.style == Style::cells) return cells_of(curve);
     const std::string line = line_of(curve, rank, line_scale);
     const std::string marker = marker_of(curve, rank, marker_scale * marker_size(curve));
     const std::string legend = line + marker_of(curve, rank, marker_scale * 1.3);
     switch (curve.style) {
-        case Style::points: return {{"with points" + line + marker}, "with points" + legend, 1};
-        case Style::line_points: return {{"with linespoints" + line + marker}, "with linespoints" + legend, 1};
+        case Style::points: return {{" with points" + line + marker}, "with points" + legend, 1};
+        case Style::line_points: return {{" with linespoints" + line + marker}, "with linespoints" + legend, 1};
         case Style::steps:
-            return {{"with steps" + line, "with points" + line + marker}, "with linespoints" + legend, 0};
-        case Style::dashed: return {{"with lines" + line}, "with lines" + line, 2};
-        default: return {{"with lines" + line}, "with lines" + line, 1};
+            return {{" with steps" + line, " with points" + line + marker}, "with linespoints" + legend, 0};
+        case Style::dashed: return {{" with lines" + line}, "with lines" + line, 2};
+        default: return {{" with lines" + line}, "with lines" + line, 1};
     }
 }
 

@@ -8,7 +8,7 @@ namespace sphonic::charting {
 
 /// How a curve is drawn, in gnuplot's words.
 struct Look {
-    std::vector<std::string> in_plot;    ///< passes over the data, lower first
+    std::vector<std::string> in_plot;    ///< passes over the data, lower first: what follows the columns 1:2
     std::string in_legend;
     int layer;    ///< steps lie below the data, comparisons above
 };

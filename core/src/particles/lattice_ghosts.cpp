@@ -9,6 +9,14 @@ namespace sphonic {
 LatticeGhosts::LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, int threads)
     : scene_(scene), components_(components), media_(media), layout_(layout), threads_(threads), memory_(std::size_t(6 * components.count)) {}
 
+std::vector<std::span<double>> LatticeGhosts::remembered() {
+    std::vector<std::span<double>> all;
+    for (const auto& memory : memory_)
+        if (memory)
+            for (auto& layer : memory->before.values) all.emplace_back(layer);
+    return all;
+}
+
 void LatticeGhosts::restart() {
     for (auto& memory : memory_) memory.reset();
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -20,6 +21,8 @@ public:
     void fill(int component, double* field, const double* pressure, double t);
     /// Forgets what layers with memory were before.
     void restart();
+    /// What they now were.
+    std::vector<std::span<double>> remembered();
 
 private:
     /// Values by layer and column.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -55,8 +56,20 @@ public:
     /// Largest |eigenvalue| of the assembled, linearised operator [1/s], from below; with dissipation, the largest sum of a frequency
     /// and a rate of decay. Leaves the fields zero.
     double largest_frequency();
-    /// Its matrix, row-major, over (component, particle); dense, so for small sets. Leaves the fields zero.
-    std::vector<double> assembled(Terms terms);
+    /// Length of a linear state: values over (component, particle).
+    long values();
+    /// What one unit of a value in a linear state is: states are differences from rest in units of the medium, rho0 c0^2 of
+    /// pressure and c0 of velocity.
+    double unit(long value);
+    /// y = A x for linear states and the equations' operator linearised at rest, dissipation times `dissipation`. Viscosity acts at half
+    /// strength: A x is the odd part of the rates at a small x. Sources are left out. Changes the fields.
+    void linear_rate(const double* x, double* y, double dissipation);
+    /// Begins anew with a linear state times `size` on top of the initial fields; no history is left.
+    void begin_with(const double* x, double size);
+    /// All that a step depends on: every array of every slot with its ghosts, and what walls remember.
+    std::vector<std::span<double>> everything();
+    /// Sum of squares of the present state's values, as a linear state.
+    double squares();
     /// The rate of one variable's component 0 ... into a named slot, without changing the state.
     void rate_of(int variable, double t, abi::Slot out);
 
@@ -99,6 +112,9 @@ private:
     std::vector<int> algebraic_;    ///< in order of evaluation
     std::vector<const double*> state_arrays_;
     std::vector<double*> out_arrays_;
+
+    double unit_of(int component) const;
+    void set_linear(const double* x, double size, bool add);
 
     int evolved_behind(int variable) const { return scene_.behind(variable).variable; }
     void order_algebraic();

@@ -69,6 +69,11 @@ int Store::history(const std::string& name) {
     return int(names_.size()) - 1;
 }
 
+void Store::clear() {
+    for (auto& slot : slots_)
+        for (Array& a : slot) std::fill_n(a.data(), a.size(), 0.0);
+}
+
 double Store::bytes() const {
     double total = 0;
     for (const auto& slot : slots_)

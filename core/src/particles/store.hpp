@@ -66,8 +66,11 @@ class Store {
 public:
     Store(long field_size, int components);
     int components() const { return components_; }
+    int slots() const { return int(slots_.size()); }
     double* array(int slot, int component);
     int history(const std::string& name);
+    /// All values zero.
+    void clear();
     /// Bytes allocated so far.
     double bytes() const;
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -57,6 +58,8 @@ public:
     virtual void fill_ghosts(int component, double* field, const double* pressure, double t) = 0;
     /// A run begins: walls with memory forget.
     virtual void restart() {}
+    /// What walls with memory now remember.
+    virtual std::vector<std::span<double>> memory() { return {}; }
     /// Positions changed; `x` by axis.
     virtual void moved(const double* const* x) = 0;
     virtual double neighbours_mean() const = 0;

@@ -34,6 +34,12 @@ std::vector<double> exact_pressure(const Case& scene, double t, const abi::Point
 
 }    // namespace
 
+double asked_step(const Case& scene, double dt_limit) {
+    const StepChoice& choice = scene.step;
+    if (choice.dt) return *choice.dt;
+    return choice.courant ? *choice.courant * choice.courant_length / scene.media->fastest().c0 : choice.safety * dt_limit;
+}
+
 Simulation::Simulation(const Case& scene) : scene_(scene) {
     const double begin = cpu_seconds();
     try {
@@ -67,11 +73,8 @@ void Simulation::fix_step() {
     const StepChoice& choice = scene_.step;
     summary_.dt_limit = solver_->dt_limit();
     summary_.weak = solver_->weakly_unstable();
-    double dt = choice.safety * summary_.dt_limit;
-    std::string key = "safety";
-    if (choice.dt) dt = *choice.dt, key = "dt";
-    if (choice.courant) dt = *choice.courant * choice.courant_length / scene_.media->fastest().c0, key = "courant";
-    const std::string place = scene_.file + ": /integrator/" + key;
+    const double dt = asked_step(scene_, summary_.dt_limit);
+    const std::string place = scene_.file + ": /integrator/" + (choice.dt ? "dt" : choice.courant ? "courant" : "safety");
     if (!std::isfinite(dt)) throw Error(Fault::input, place, "no stable limit is known for this set", "Give dt or courant");
     if (summary_.dt_limit == 0 && !choice.allow_unstable)
         throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" is unstable at every step",
@@ -81,6 +84,7 @@ void Simulation::fix_step() {
     if (steps > 1e15) throw Error(Fault::input, place, "the run would take " + shown(steps) + " steps", "Choose a larger step or a shorter run");
     summary_.steps = long(steps);
     summary_.dt = scene_.until / steps;
+    predict_growth();
     if (summary_.dt <= summary_.dt_limit * (1 + 1e-9)) return;
     const double courant = scene_.media->fastest().c0 / scene_.box.dx;
     const std::string problem = "the step " + shown(summary_.dt) + " s (c0 dt/dx = " + shown(summary_.dt * courant) +
@@ -89,6 +93,15 @@ void Simulation::fix_step() {
     if (!choice.allow_unstable)
         throw Error(Fault::input, place, problem, "Choose a smaller step, or set \"unstable\": \"allow\" to study the failure");
     summary_.warnings.push_back(problem);
+}
+
+/// By the modes of the case's lattice, which other sets are near to.
+void Simulation::predict_growth() {
+    if (!summary_.weak || !scene_.method->meshfree()) return;
+    const StepLimit limit = step_limit(scene_);
+    const double same = limit.dt > 0 ? summary_.dt_limit / limit.dt : 1;    // theta is what grows: by how much the set's differs
+    summary_.dt_mild = limit.mild * same;
+    summary_.growth = double(summary_.steps) * std::log(amplification(scene_, summary_.dt / same));
 }
 
 void Simulation::find_probes() {

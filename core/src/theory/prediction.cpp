@@ -51,13 +51,6 @@ std::string shown(double x) {
 }
 std::string percent(double x) { return shown(100 * x) + " %"; }
 
-bool is_viscous(const Case& scene) {
-    for (const Variable& v : scene.equations.variables)
-        for (const Term& term : v.terms)
-            if (term.viscosity) return true;
-    return false;
-}
-
 /// Relative L2 error over 0 <= s <= c0 * until of exp(i k s) against the numerical wave of the same frequency.
 double wave_error(const Case& scene, const abi::PlaneWave& wave, double dt) {
     constexpr int samples = 400;

@@ -132,4 +132,6 @@ double long_wave_speed(const Case& scene, const double* direction) {
     return (4 * fine - coarse) / 3;
 }
 
+std::vector<std::complex<double>> eigenvalues(const Symbol& matrix) { return eigenvalues(matrix.n, matrix.a.data()); }
+
 }    // namespace sphonic
