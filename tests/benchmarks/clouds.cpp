@@ -11,7 +11,7 @@ const std::string jitter = "/particles/jitter=0.2", lagrangian = "/particles/mot
 
 struct Started {
     ParticleSystem system;
-    explicit Started(const Case& scene) : system(scene) { system.initialise(); }
+    explicit Started(const Case& scene) : system(scene) { system.initialise(1e-3); }
 };
 
 /// One half of a step, the first (momentum) or the second (pressure), by a step so short that nothing changes.

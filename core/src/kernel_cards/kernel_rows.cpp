@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <sphonic/error.hpp>
@@ -14,7 +15,7 @@
 namespace sphonic {
 namespace {
 
-constexpr double pi = std::numbers::pi, farthest_ppw = 1000, wavelengths = 10;
+constexpr double pi = std::numbers::pi, farthest_ppw = 1000, wavelengths = 10, infinite = std::numeric_limits<double>::infinity();
 
 /// Along an axis and along the diagonal of the square or cube.
 std::vector<std::array<double, 3>> directions(int d) {
@@ -87,26 +88,27 @@ KernelRows::KernelRows(Registry& registry) : registry_(registry) {
     }
 }
 
-std::optional<KernelRow> KernelRows::row(const std::string& kernel, int dimension, double h_over_dx) const {
+std::optional<KernelRow> KernelRows::row(const std::string& kernel, int dimension, double h_over_dx, double least_work) const {
     const Case plain = kernel_case(registry_, kernel, dimension, h_over_dx, Pairing::plain);
     KernelRow row{.dimension = dimension, .h_over_dx = h_over_dx};
     row.neighbours = int(lattice_neighbours(plain.box, plain.kernels.front()).size());
     if (row.neighbours < 2 * dimension || row.neighbours > most_neighbours) return {};
     const Case corrected = kernel_case(registry_, kernel, dimension, h_over_dx, Pairing::corrected);
+    row.ppw_1_percent = needed(corrected, 0.01);
+    const double longest_step = std::max(2.0, 1.2 * plain.kernels.front().kernel->support() * h_over_dx);    // more than leapfrog's by any kernel
+    if (row.ppw_1_percent && row.neighbours * std::pow(*row.ppw_1_percent, dimension + 1) / longest_step > least_work) return {};
+    row.ppw_01_percent = needed(corrected, 0.001);
     row.speed_error = speed_error(plain);
     row.cutoff_ppw = cutoff_ppw(corrected);
     const double fastest = step_limit(plain).frequency;
     for (const auto& [name, limit] : oscillation_) row.courant_dx[name] = limit / fastest;
-    row.ppw_1_percent = needed(corrected, 0.01);
-    row.ppw_01_percent = needed(corrected, 0.001);
     return row;
 }
 
 std::optional<KernelRow> KernelRows::best(const std::string& kernel, int dimension) const {
     std::optional<KernelRow> best;
     for (int tenth = 5; tenth <= 40; ++tenth) {
-        const auto one = row(kernel, dimension, 0.1 * tenth);
-        if (!one && best) break;    // wider ones have more neighbours still
+        const auto one = row(kernel, dimension, 0.1 * tenth, best ? *best->work() : infinite);
         if (one && one->work() && (!best || *one->work() < *best->work())) best = one;
     }
     return best;

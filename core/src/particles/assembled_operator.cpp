@@ -54,15 +54,16 @@ void ParticleSystem::linear_rate(const double* x, double* y, double dissipation)
     }
 }
 
-void ParticleSystem::begin_with(const double* x, double size) {
+void ParticleSystem::begin_with(const double* x, double size, double dt) {
     store_.clear();
-    initialise();
+    initialise(dt);
     set_linear(x, size, true);
-    settle(abi::everything, 0);
+    forget_walls();
 }
 
 std::vector<std::span<double>> ParticleSystem::everything() {
     std::vector<std::span<double>> all = tier_->memory();
+    for (const auto& pressure : flow_.remembered()) all.push_back(pressure);
     for (int slot = 0; slot < store_.slots(); ++slot)
         for (int c = 0; c < components_.count; ++c) all.emplace_back(store_.array(slot, c), std::size_t(layout().size));
     return all;

@@ -13,7 +13,7 @@ std::vector<std::span<double>> LatticeGhosts::remembered() {
     std::vector<std::span<double>> all;
     for (const auto& memory : memory_)
         if (memory)
-            for (auto& layer : memory->before.values) all.emplace_back(layer);
+            for (auto& layer : memory->kept.values) all.emplace_back(layer);
     return all;
 }
 

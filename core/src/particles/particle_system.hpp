@@ -65,7 +65,7 @@ public:
     /// strength: A x is the odd part of the rates at a small x. Sources are left out. Changes the fields.
     void linear_rate(const double* x, double* y, double dissipation);
     /// Begins anew with a linear state times `size` on top of the initial fields; no history is left.
-    void begin_with(const double* x, double size);
+    void begin_with(const double* x, double size, double dt);
     /// All that a step depends on: every array of every slot with its ghosts, and what walls remember.
     std::vector<std::span<double>> everything();
     /// Sum of squares of the present state's values, as a linear state.

@@ -51,6 +51,12 @@ void WallFlow::begin(const double* field, double rest) {
         for (std::size_t i = 0; i < f.at.size(); ++i) f.pressure[i] = f.value(field + f.at[i], rest);
 }
 
+std::vector<std::span<double>> WallFlow::remembered() {
+    std::vector<std::span<double>> all;
+    for (Face& f : faces_) all.emplace_back(f.pressure);
+    return all;
+}
+
 void WallFlow::apply(double* field, double rest) {
     for (Face& f : faces_)
         in_blocks(threads_, long(f.at.size()), [&](long begin, long end) {

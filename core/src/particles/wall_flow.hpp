@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <sphonic/case.hpp>
@@ -23,6 +24,8 @@ public:
     bool any() const { return !faces_.empty(); }
     /// Takes the walls' pressure as it is now.
     void begin(const double* field, double rest);
+    /// The walls' pressure at the end of the last step.
+    std::vector<std::span<double>> remembered();
     /// Over a step, on p or the variable that p is computed from, which is `rest` at rest.
     void apply(double* field, double rest);
 

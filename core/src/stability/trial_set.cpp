@@ -40,7 +40,7 @@ bool noisy(const void* host, const char* field, int axis, const abi::Points& poi
 void StabilityTrial::Particles::begin(const std::vector<double>& x, double dt) {
     dt_ = dt;
     index_ = 0;
-    system_.begin_with(x.data(), size);
+    system_.begin_with(x.data(), size, dt);
     scene_.integrator->begin(system_, dt);
     system_.forget_walls();
 }

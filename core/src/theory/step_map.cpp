@@ -34,7 +34,7 @@ void StepMap::begin(double dt) {
     for (const double scale : {1.0, 0.0}) {
         for (double& value : x) value = scale * (double(bits() >> 11) * 0x1p-52 - 1);
         index_ = 0;
-        system_.begin_with(x.data(), small);
+        system_.begin_with(x.data(), small, dt);
         scene_.integrator->begin(system_, dt);
         system_.forget_walls();
         step();

@@ -40,7 +40,10 @@ Values spectrum(const Case& scene, double dissipation) {
 bool walls_remember(const Case& scene) {
     bool remember = false;
     for (int a = 0; a < scene.box.dimension; ++a)
-        for (const bool upper : {false, true}) remember = remember || scene.closure(a, upper) == abi::Closure::layers;
+        for (const bool upper : {false, true}) {
+            const abi::Boundary* face = scene.face(a, upper);
+            remember = remember || (face && (face->closure() == abi::Closure::layers || face->admittance() > 0));
+        }
     return remember;
 }
 
