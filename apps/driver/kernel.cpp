@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 #include <sphonic/json.hpp>
 #include <sphonic/result_folder.hpp>
@@ -54,8 +55,14 @@ void print(const KernelCard& card, const Ranking& ranking) {
         std::printf("  %-20s h/dx %-5s %4d neighbours, %s points: %.3g\n", name.c_str(), shown(r.h_over_dx).c_str(), r.neighbours, shown(r.ppw_1_percent).c_str(), *r.work());
 }
 
-void write(const std::filesystem::path& folder, bool force, const std::vector<KernelCard>& cards, const Ranking& ranking) {
-    ResultFolder results(folder, force);
+Json cards_json(const std::vector<KernelCard>& cards, const Ranking& ranking) {
+    Json all = Json::array();
+    for (const KernelCard& card : cards) all.push_back(card_json(card, ranking));
+    return cards.size() == 1 ? all[0] : all;
+}
+
+void write(ResultFolder& results, const std::vector<KernelCard>& cards, const Ranking& ranking) {
+    results.write("summary.json", json_text(cards_json(cards, ranking)));
     for (const KernelCard& card : cards) {
         const auto stem = results.path() / card.name;
         draw(kernel_chart(card), stem);
@@ -71,15 +78,15 @@ int kernel(const KernelOptions& options) {
     Registry registry(Registry::search_path(options.plugin_path));
     std::vector<std::string> names{options.name};
     names.insert(names.end(), options.compare.begin(), options.compare.end());
+    std::optional<ResultFolder> results;
+    if (!options.out.empty()) results.emplace(options.out, options.force);
     std::vector<KernelCard> cards;
     for (const std::string& name : names) cards.push_back(kernel_card(registry, name));
     const int dimension = options.dimension > 0 ? options.dimension : cards.front().dimensions.back() > 1 ? 2 : 1;
     const Ranking ranking = rank_kernels(registry, options.compare.empty() ? registry.names("kernel") : names, dimension);
-    if (!options.out.empty()) write(options.out, options.force, cards, ranking);
+    if (results) write(*results, cards, ranking);
     if (options.json) {
-        Json all = Json::array();
-        for (const KernelCard& card : cards) all.push_back(card_json(card, ranking));
-        std::cout << json_text(cards.size() == 1 ? all[0] : all);
+        std::cout << json_text(cards_json(cards, ranking));
         return 0;
     }
     for (const KernelCard& card : cards) {

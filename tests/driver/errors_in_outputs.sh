@@ -180,3 +180,15 @@ sphonic stability case.json --json
 sphonic stability case.json --out mapped --vary /kernel/h=0.04:0.06:2 --vary /integrator/courant=1:3:2 --spectrum --steps 300
 [[ $code == 0 && $(ls mapped | tr '\n' ' ') == 'map.png map.svg resolved.json spectrum.png spectrum.svg stability.json table.csv ' && $(wc -l <mapped/table.csv) == 5 ]] &&
     ok "stability writes a map and a spectrum" || failed "stability writes a map and a spectrum" "$code" "$err" "$(ls mapped)"
+
+echo "--- kernel"
+misused 2 'kernel: there is no kernel named "cubic_splin". Did you mean "cubic_spline"?' kernel cubic_splin
+misused 2 'kernel: there is no kernel named "wendland". *' kernel cubic_spline --compare wendland
+misused 5 'precious: exists already. Give --force to replace it, or another --out' kernel cubic_spline --out precious
+sphonic kernel super_gaussian --compare cubic_spline --dimension 1 --out card
+[[ $code == 0 && $(ls card | tr '\n' ' ') == 'comparison.png comparison.svg cubic_spline.html cubic_spline.png cubic_spline.svg summary.json super_gaussian.html super_gaussian.png super_gaussian.svg ' ]] &&
+    grep -q '<svg' card/super_gaussian.html && ! grep -qE '(src|href)="?http' card/super_gaussian.html &&
+    ok "kernel writes pages and charts" || failed "kernel writes pages and charts" "$code" "$err" "$(ls card)"
+sphonic kernel cubic_spline --json
+[[ $code == 0 && -z $err && $out == *'"name": "cubic_spline"'*'"dimensions": '*'"rows": '*'"cutoff_ppw": '*'"courant_dx": '*'"leapfrog": '*'"speed_error": '* || $out == *'"courant_dx": '*'"rk4": '* ]] &&
+    ok "kernel prints JSON" || failed "kernel prints JSON" "$code" "$err" "$out"

@@ -22,13 +22,33 @@ struct Damping {
 };
 inline constexpr Damping undamped{0, 0};
 
-/// `k` [rad/m] has `dimension` entries. In one of the case's media.
+/// The equations of a case on its infinite lattice, in one of its media, made ready for many wave vectors.
+class LatticeOperator {
+public:
+    struct Part;
+
+    explicit LatticeOperator(const Case& scene, int medium = 0);
+    ~LatticeOperator();
+
+    /// `k` [rad/m] has `dimension` entries.
+    Symbol symbol(const double* k, Damping damping = {}) const;
+    /// omega(k)/c0 [rad/m] along `direction` (unit vector): the largest frequency at that wave vector, undamped; c0 of the first medium.
+    double dispersion(double k, const double* direction) const;
+    /// Speed of a long wave along `direction`, over c0: the limit of omega/(c0 k) for k -> 0, undamped.
+    double long_wave_speed(const double* direction) const;
+
+private:
+    const Case& scene_;
+    int n_ = 0;
+    std::vector<Part> parts_;
+};
+
+/// The same for a single wave vector.
 Symbol symbol(const Case& scene, const double* k, Damping damping = {}, int medium = 0);
 
-/// Speed of a long wave along `direction` (unit vector), over c0: the limit of omega/(c0 k) for k -> 0, undamped. In the first medium.
+/// In the first medium.
 double long_wave_speed(const Case& scene, const double* direction);
 
-/// omega(k)/c0 [rad/m] of the discrete operator along `direction`: its largest frequency at that wave vector, in the first medium.
 double dispersion(const Case& scene, double k, const double* direction);
 
 /// The equations of a case on its own particles, linearised at rest, over (component, particle): z' = A z with the dissipation times

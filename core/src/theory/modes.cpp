@@ -13,8 +13,8 @@ namespace {
 const double pi = std::acos(-1.0);
 constexpr long most_waves = 6000;    ///< of a box that are looked at one by one
 
-Mode make_mode(const Case& scene, const double* k, Damping damping, int medium = 0) {
-    Mode mode{symbol(scene, k, damping, medium), 0, 0};
+Mode make_mode(const LatticeOperator& set, const double* k, Damping damping) {
+    Mode mode{set.symbol(k, damping), 0, 0};
     for (const auto& value : eigenvalues(mode.symbol)) {
         mode.frequency = std::max(mode.frequency, std::abs(value));
         mode.decay = std::min(mode.decay, value.real());
@@ -55,18 +55,19 @@ void climb(const Case& scene, std::vector<double>& k, double step, Value value) 
 /// Wave vectors of one octant (the operators are even in each k_a), then the most demanding of them refined.
 std::vector<Mode> zone_modes(const Case& scene, Damping damping, int medium) {
     constexpr int samples[4] = {0, 400, 32, 14};
+    const LatticeOperator set(scene, medium);
     const int d = scene.box.dimension, n = samples[d];
     const double step = pi / scene.box.dx / n;
     std::vector<std::pair<Mode, std::vector<double>>> all;
     std::vector<double> of_axis[3] = {{0}, {0}, {0}};
     for (int a = 0; a < d; ++a)
         for (int m = 1; m <= n; ++m) of_axis[a].push_back(m * step);
-    for_waves(of_axis, [&](const double* k) { all.emplace_back(make_mode(scene, k, damping, medium), std::vector<double>(k, k + 3)); });
+    for_waves(of_axis, [&](const double* k) { all.emplace_back(make_mode(set, k, damping), std::vector<double>(k, k + 3)); });
     std::vector<Mode> chosen;
     const auto refine = [&](auto measure) {
         auto k = std::max_element(all.begin(), all.end(), [&](auto& a, auto& b) { return measure(a.first) < measure(b.first); })->second;
-        climb(scene, k, step / 2, [&](const std::vector<double>& at) { return measure(make_mode(scene, at.data(), damping, medium)); });
-        chosen.push_back(make_mode(scene, k.data(), damping, medium));
+        climb(scene, k, step / 2, [&](const std::vector<double>& at) { return measure(make_mode(set, at.data(), damping)); });
+        chosen.push_back(make_mode(set, k.data(), damping));
     };
     refine([](const Mode& m) { return m.frequency; });
     refine([](const Mode& m) { return -m.decay; });
@@ -134,8 +135,9 @@ std::vector<Mode> box_modes(const Case& scene, Damping damping) {
         total *= of_axis[a].size();
     }
     if (total > most_waves) return zone_modes(scene, damping, 0);
+    const LatticeOperator set(scene);
     std::vector<Mode> modes;
-    for_waves(of_axis, [&](const double* k) { modes.push_back(make_mode(scene, k, damping)); });
+    for_waves(of_axis, [&](const double* k) { modes.push_back(make_mode(set, k, damping)); });
     return modes;
 }
 

@@ -17,9 +17,10 @@ double node(int i) { return pi * (i + 0.5) / samples; }
 std::vector<double> operator_along(const Case& scene, int axis) {
     double along[3] = {0, 0, 0};
     along[axis] = 1;
-    const double scale = scene.box.dx / long_wave_speed(scene, along);
+    const LatticeOperator set(scene);
+    const double scale = scene.box.dx / set.long_wave_speed(along);
     std::vector<double> F;
-    for (int i = 0; i < samples; ++i) F.push_back(scale * dispersion(scene, node(i) / scene.box.dx, along));
+    for (int i = 0; i < samples; ++i) F.push_back(scale * set.dispersion(node(i) / scene.box.dx, along));
     return F;
 }
 
