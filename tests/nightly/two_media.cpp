@@ -12,7 +12,7 @@ TEST_CASE("what an interface on a displaced set reflects and lets pass", "[media
             const double R = wave.reflected - ratio.reflection(), T = wave.transmitted - 1 - ratio.reflection();
             WARN("jitter " << jitter << ", ratio " << ratio.rho << ", " << ratio.c << ": R off by " << R << ", T by " << T << ", energy " << wave.grown);
             CHECK(wave.grown < 1);
-            CHECK(std::abs(R) < 5e-3);
-            CHECK(std::abs(T) < 5e-3);
+            CHECK(std::abs(R) < 1e-3);
+            CHECK(std::abs(T) < 1e-3);
         }
 }
