@@ -41,11 +41,19 @@ struct KernelOptions : Common {
     bool force = false;
 };
 
+struct AtlasOptions : Common {
+    std::filesystem::path folder = "cases/failures";
+    std::vector<std::string> rows;    ///< by name; none: all
+    std::filesystem::path out;        ///< empty: runs/atlas, numbered if it exists
+    bool force = false;
+};
+
 /// Each returns the exit code of a job that was done; errors are thrown.
 int run(const RunOptions& options);
 int check(const RunOptions& options);
 int study(const RunOptions& options);
 int stability(const StabilityOptions& options);
+int atlas(const AtlasOptions& options);
 int list(const Common& options);
 int describe(const DescribeOptions& options);
 int schema(const Common& options);

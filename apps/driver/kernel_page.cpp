@@ -1,35 +1,18 @@
 #include "kernel_page.hpp"
 
 #include <cstdio>
-#include <fstream>
-#include <sstream>
+
+#include "html.hpp"
 
 namespace sphonic::driver {
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return out;
-}
-
-/// A table of text cells, the first row its head.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-    std::string out = "<table>\n";
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        out += "<tr>";
-        for (const std::string& cell : rows[r]) out += (r ? "<td>" : "<th>") + escaped(cell) + (r ? "</td>" : "</th>");
-        out += "</tr>\n";
-    }
-    return out + "</table>\n";
-}
 
 std::string laws(const KernelCard& card) {
     std::vector<std::vector<std::string>> rows{{"law", "dimension", "holds", "by"}};
     for (const KernelLaw& law : card.laws) rows.push_back({law.what, std::to_string(law.dimension), law.holds ? "yes" : "no", shown(law.value)});
     for (const KernelTransform& t : card.transforms)
         rows.push_back({"has no negative transform (many neighbours do not clump)", std::to_string(t.dimension), t.least < 0 ? "no" : "yes", shown(t.least)});
-    return table(rows);
+    return html_table(rows);
 }
 
 std::string waves(const std::vector<KernelRow>& all) {
@@ -39,22 +22,13 @@ std::string waves(const std::vector<KernelRow>& all) {
         rows.push_back({std::to_string(r.dimension), shown(r.h_over_dx), std::to_string(r.neighbours), shown(r.speed_error), shown(r.cutoff_ppw), shown(r.ppw_1_percent), shown(r.ppw_01_percent)});
         for (const auto& [name, limit] : r.courant_dx) rows.back().push_back(shown(limit));
     }
-    return table(rows);
+    return html_table(rows);
 }
 
 std::string ranked(const Ranking& ranking) {
     std::vector<std::vector<std::string>> rows{{"kernel", "h/dx", "neighbours", "points for 1 %", "pairs per wavelength volume and period"}};
     for (const auto& [name, r] : ranking) rows.push_back({name, shown(r.h_over_dx), std::to_string(r.neighbours), shown(r.ppw_1_percent), shown(r.work())});
-    return table(rows);
-}
-
-std::string drawing(const std::filesystem::path& svg) {
-    std::ifstream file(svg);
-    std::ostringstream text;
-    text << file.rdbuf();
-    const std::string all = text.str();
-    const auto begin = all.find("<svg");
-    return begin == std::string::npos ? "" : all.substr(begin);
+    return html_table(rows);
 }
 
 }    // namespace
@@ -67,14 +41,11 @@ std::string shown(double x) {
 std::string shown(const std::optional<double>& x) { return x ? shown(*x) : "none"; }
 
 std::string kernel_page(const KernelCard& card, const Ranking& ranking, const std::filesystem::path& svg) {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(card.name) +
-           "</title>\n<style>body{font:15px sans-serif;max-width:1100px;margin:2em auto;padding:0 1em}table{border-collapse:collapse;margin:1em 0}"
-           "th,td{padding:3px 9px;border-bottom:1px solid #ccc;text-align:right}th:first-child,td:first-child{text-align:left}svg{max-width:100%;height:auto}</style></head><body>\n<h1>" +
-           escaped(card.name) + "</h1>\n<p>" + escaped(card.doc) + ". Support " + shown(card.support) + " h.</p>\n" + drawing(svg) + "\n<h2>Laws</h2>\n" + laws(card) +
+    return html_page(card.name, "<h1>" + escaped(card.name) + "</h1>\n<p>" + escaped(card.doc) + ". Support " + shown(card.support) + " h.</p>\n" + inline_svg(svg) + "\n<h2>Laws</h2>\n" + laws(card) +
            "<h2>Sound on a lattice</h2>\n<p>Speed of long waves and largest stable c0 dt/dx by the plain pair of forms; cut-off and points per wavelength for a relative L2 "
            "error of 1 % and 0.1 % after ten wavelengths by corrected weights, time being exact, in the worse of axis and diagonal.</p>\n" + waves(card.rows) +
            "<h2>Recommended h/dx</h2>\n<p>Of least work for 1 %, by leapfrog at its limit.</p>\n" + waves(card.recommended) +
-           "<h2>Among the others in " + std::to_string(ranking.empty() ? 0 : ranking.front().second.dimension) + "-D</h2>\n" + ranked(ranking) + "</body></html>\n";
+           "<h2>Among the others in " + std::to_string(ranking.empty() ? 0 : ranking.front().second.dimension) + "-D</h2>\n" + ranked(ranking));
 }
 
 }    // namespace sphonic::driver

@@ -38,6 +38,7 @@ struct Arguments {
     StabilityOptions stability;
     DescribeOptions described;
     KernelOptions card;
+    AtlasOptions atlas;
     std::string kind, name;
     std::filesystem::path folder;
     int result = 0;
@@ -72,6 +73,17 @@ void add_stability_command(CLI::App& app, Arguments& a) {
     command->add_option("--out", options.out, "output folder; default runs/NAME-stability if there is a chart");
     command->add_flag("--force", options.force, "replace the output folder if it exists");
     command->callback([&a] { a.result = stability(a.stability); });
+}
+
+void add_atlas_command(CLI::App& app, Arguments& a) {
+    AtlasOptions& options = a.atlas;
+    auto* command = app.add_subcommand("atlas", "run the failures of methods and their cures, and draw them on one page");
+    command->add_option("FOLDER", options.folder, "of cases, with studies/atlas.json")->capture_default_str();
+    command->add_option("--row", options.rows, "one row by its name (may be repeated); default: all");
+    command->add_option("--out", options.out, "output folder; default runs/atlas");
+    command->add_flag("--force", options.force, "replace the output folder if it exists");
+    add_common(*command, options);
+    command->callback([&a] { a.result = atlas(a.atlas); });
 }
 
 void add_plugin_commands(CLI::App& app, Arguments& a) {
@@ -117,6 +129,7 @@ int main(int argc, char** argv) {
     Arguments arguments;
     add_case_commands(app, arguments);
     add_stability_command(app, arguments);
+    add_atlas_command(app, arguments);
     add_plugin_commands(app, arguments);
     try {
         app.parse(argc, argv);
@@ -128,7 +141,7 @@ int main(int argc, char** argv) {
             app.exit(e, std::cout, std::cerr);
             return int(sphonic::Fault::input);
         }
-        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, stability, list, describe, kernel, schema, new");
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, stability, atlas, list, describe, kernel, schema, new");
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);

@@ -38,10 +38,10 @@ int run(const RunOptions& options) {
     Registry registry(Registry::search_path(options.plugin_path));
     Case scene = load_case(options.file, options.set, registry);
     scene.threads = options.threads;
-    for (const std::string& warning : scene.warnings) log::warn(scene.file + ": " + warning);
     ResultFolder folder(options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out, options.force);
     Simulation simulation(scene);
     const Summary& summary = simulation.summary();
+    for (const std::string& warning : summary.warnings) log::warn(scene.file + ": " + warning);
     const auto stop_if_asked = [&](long step) {
         char state[80];
         std::snprintf(state, sizeof state, "at t = %.4g s; nothing was written", double(step) * summary.dt);

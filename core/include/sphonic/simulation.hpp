@@ -95,6 +95,7 @@ private:
     ProbeRecord probes_;
     std::vector<long> probe_particles_;
     std::vector<char> in_region_;    ///< by initial position
+    bool beyond_linear_at_start_ = false;
     Profile measured_;               ///< that errors were taken from: some references are dear
 
     void fix_step();

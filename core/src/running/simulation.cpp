@@ -9,6 +9,7 @@
 #include <sphonic/stability.hpp>
 #include <sphonic/version.hpp>
 
+#include "linear_validity.hpp"
 #include "machine.hpp"
 #include "parallel.hpp"
 #include "scene.hpp"
@@ -65,6 +66,9 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
     find_probes();
     sentinel_ = std::make_unique<Sentinel>(scene, *solver_);
     summary_.energy_initial = summary_.energy_final = solver_->energy();
+    const auto loud = beyond_linear(scene, solver_->snapshot());
+    if (loud) summary_.warnings.push_back(*loud);
+    beyond_linear_at_start_ = loud.has_value();
 }
 
 Simulation::~Simulation() = default;
@@ -186,6 +190,8 @@ void Simulation::run(const std::function<void(const Progress&)>& progress) {
     summary_.memory_bytes = solver_->memory_bytes();
     summary_.energy_final = solver_->energy();
     if (scene_.reference && !summary_.diverged) summary_.errors = measure();
+    if (summary_.diverged || beyond_linear_at_start_) return;
+    if (const auto loud = beyond_linear(scene_, solver_->snapshot())) summary_.warnings.push_back(*loud);
 }
 
 Profile Simulation::profile() {
