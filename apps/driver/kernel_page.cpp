@@ -1,7 +1,5 @@
 #include "kernel_page.hpp"
 
-#include <cstdio>
-
 #include "html.hpp"
 
 namespace sphonic::driver {
@@ -33,11 +31,6 @@ std::string ranked(const Ranking& ranking) {
 
 }    // namespace
 
-std::string shown(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", x);
-    return text;
-}
 std::string shown(const std::optional<double>& x) { return x ? shown(*x) : "none"; }
 
 std::string kernel_page(const KernelCard& card, const Ranking& ranking, const std::filesystem::path& svg) {

@@ -1,10 +1,8 @@
 /// Laws of every shape found, and of some by name.
-#include <sphonic/plugin/abi/shape.hpp>
-
 #include <random>
 
 #include <sphonic/error.hpp>
-#include <sphonic/expression.hpp>
+#include <sphonic/read_formula.hpp>
 
 #include "subjects.hpp"
 
@@ -15,27 +13,12 @@ namespace {
 
 constexpr double dx = 0.1, half = 2;
 
-class Read final : public abi::Formula {
-public:
-    Read(const char* text, int dimension) : expression_(text, {}, dimension, "contract") {}
-    void evaluate(const abi::Points& points, double* value) const override {
-        double x[3] = {};
-        for (int i = 0; i < points.n; ++i) {
-            for (int a = 0; a < points.dimension; ++a) x[a] = points.x[a][i];
-            value[i] = expression_(x);
-        }
-    }
-
-private:
-    Expression expression_;
-};
-
 abi::ShapeScene scene_of(int dimension) {
     abi::ShapeScene scene{.box = {.dimension = dimension, .dx = dx}};
     for (int a = 0; a < dimension; ++a) scene.box.lower[a] = -half, scene.box.upper[a] = half;
     static const int dimensions[] = {0, 1, 2, 3};
     scene.formula = [](const void* host, const char* text) -> std::unique_ptr<abi::Formula> {
-        return std::make_unique<Read>(text, *static_cast<const int*>(host));
+        return std::make_unique<ReadFormula>(Expression(text, {}, *static_cast<const int*>(host), "contract"));
     };
     scene.host = &dimensions[dimension];
     return scene;

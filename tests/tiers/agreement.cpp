@@ -72,6 +72,15 @@ TEST_CASE("the adjoint pair conserves its energy on a disordered set too", "[ene
     }
 }
 
+TEST_CASE("the limit of equations with a current density is that of linear acoustics at rest", "[energy]") {
+    const auto limit = [](const std::string& equations, double c0) {
+        const std::vector<std::string> set{"/equations=" + equations, "/particles/jitter=0.2", "/kernel/h_over_dx=1.3", "/initial={}",
+                                           "/medium/c0=" + std::to_string(c0), "/until=" + std::to_string(0.1 / c0)};
+        return Simulation(scene(periodic_box(2, 15), set)).summary().dt_limit;
+    };
+    for (const double c0 : {1.0, 340.0}) CHECK(limit("lagrangian_acoustics", c0) == Approx(limit("linear_acoustics", c0)).epsilon(1e-6));
+}
+
 TEST_CASE("the computed limit of a disordered set holds: stable below it and lost beyond", "[energy]") {
     const std::string face = GENERATE(as<std::string>(), "periodic", "rigid", "soft");
     INFO(face);

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "sphonic/chart.hpp"
 #include "sphonic/error.hpp"
+#include "sphonic/shown.hpp"
 
 namespace sphonic {
 
@@ -79,12 +79,6 @@ long nearest(const Scatter& points, const Raster& grid, const std::vector<long>&
     return found;
 }
 
-std::string shown(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 }    // namespace
 
 Raster raster_of(const Scatter& points, double spacing, int most) {
@@ -92,7 +86,7 @@ Raster raster_of(const Scatter& points, double spacing, int most) {
     if (n == 0 || points.x.size() != n || points.y.size() != n || !(spacing > 0) || most < 1)
         throw Error(Fault::input, "raster",
                     std::to_string(points.x.size()) + " x and " + std::to_string(points.y.size()) + " y for " +
-                        std::to_string(n) + " values at a spacing of " + shown(spacing),
+                        std::to_string(n) + " values at a spacing of " + shown(spacing, 3),
                     "Give at least one point, as many x and y as values, and a positive spacing");
     Raster grid = grid_of(points, spacing, most);
     const std::vector<long> owner = owners(points, grid);
@@ -119,7 +113,7 @@ void set_limit(Raster& raster, const std::string& quantity) {
     std::ranges::nth_element(sizes, quantile);
     if (largest < towering * *quantile) return;
     raster.limit = *quantile;
-    raster.label += ", to 99.5 % (max " + shown(largest) + ")";
+    raster.label += ", to 99.5 % (max " + shown(largest, 3) + ")";
 }
 
 }    // namespace sphonic

@@ -1,15 +1,8 @@
 #include <sphonic/kernel_card.hpp>
-
-#include <cstdio>
+#include <sphonic/shown.hpp>
 
 namespace sphonic {
 namespace {
-
-std::string shown(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", x);
-    return text;
-}
 
 Panel empty(const std::string& title, const std::string& x, const std::string& y) {
     Panel panel;
@@ -43,7 +36,7 @@ Chart kernel_chart(const KernelCard& card) {
     for (const KernelTransform& t : card.transforms)
         transforms.curves.push_back({.label = std::to_string(t.dimension) + "-D", .x = t.kh, .y = t.value, .point_labels = {}});
     for (const KernelDispersion& d : card.dispersion)
-        dispersion.curves.push_back({.label = "h/dx = " + shown(d.h_over_dx), .x = d.per_wavelength, .y = d.speed, .point_labels = {}});
+        dispersion.curves.push_back({.label = "h/dx = " + shown(d.h_over_dx, 3), .x = d.per_wavelength, .y = d.speed, .point_labels = {}});
     return beside("Kernel " + card.name, std::move(transforms), std::move(dispersion));
 }
 
@@ -53,7 +46,7 @@ Chart kernel_comparison(const std::vector<KernelCard>& cards) {
         const KernelTransform& t = card.transforms.front();
         transforms.curves.push_back({.label = card.name, .x = t.kh, .y = t.value, .point_labels = {}});
         const KernelDispersion& d = card.dispersion.front();
-        dispersion.curves.push_back({.label = card.name + ", h/dx = " + shown(d.h_over_dx), .x = d.per_wavelength, .y = d.speed, .point_labels = {}});
+        dispersion.curves.push_back({.label = card.name + ", h/dx = " + shown(d.h_over_dx, 3), .x = d.per_wavelength, .y = d.speed, .point_labels = {}});
     }
     transforms.title += ", " + std::to_string(cards.front().dimensions.front()) + "-D";
     return beside("Kernels compared", std::move(transforms), std::move(dispersion));

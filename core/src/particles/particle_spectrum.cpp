@@ -51,13 +51,10 @@ public:
             });
         }
     }
-    /// out = B in
+    /// out = B in, of vectors that are not zero.
     void apply(abi::Slot in, abi::Slot out) {
-        combine(in, 1, abi::state, 0);
-        rate();
-        combine(rates_, 1, abi::state, 0);
-        rate();
-        combine(rates_, dissipates_ ? 1 : -1, out, 0);
+        const double first = disturb(in), second = disturb(rates_);
+        combine(rates_, (dissipates_ ? 1 : -1) / (first * second), out, 0);
     }
     void clear() { combine(abi::state, 0, abi::state, 0); }
 
@@ -76,6 +73,19 @@ private:
             system_.layout().for_rows([&](long row, long first) {
                 visit(all_.components[k], [&](long i) { return weights_[k][std::size_t(system_.media_.number(first + i))]; }, row);
             });
+    }
+    /// Rates of a state of rest that is disturbed by so small a multiple of x that they are linear in it; returns the multiple.
+    double disturb(abi::Slot x) {
+        constexpr double mach_number = 1e-9;
+        const double speed = std::sqrt(dot(x, x)), multiple = speed > 0 ? mach_number * system_.scene_.medium.c0 / speed : 1;
+        combine(x, multiple, abi::state, 0);
+        for (const int c : all_.components) {
+            const double rest = system_.components_.rest(c);
+            double* value = system_.store_.array(abi::state, c);
+            for (long i = 0; rest != 0 && i < system_.layout().size; ++i) value[i] += rest;
+        }
+        rate();
+        return multiple;
     }
     void rate() {
         system_.tier_->restart();    // walls with memory have none here
@@ -108,7 +118,7 @@ double ParticleSystem::largest_frequency() {
     s.apply(before, w);
     const double forth = s.dot(w, v), size = std::sqrt(s.dot(w, w) * s.dot(v, v));
     s.apply(v, w);
-    const double largest = std::abs(s.dot(w, before) - forth) < 1e-9 * size ? lanczos(s, v, w, before) : power(s, v, w);
+    const double largest = std::abs(s.dot(w, before) - forth) < 1e-7 * size ? lanczos(s, v, w, before) : power(s, v, w);
     s.clear();
     return std::sqrt(largest);
 }

@@ -3,6 +3,7 @@
 
 #include <sphonic/error.hpp>
 #include <sphonic/parameters.hpp>
+#include <sphonic/read_formula.hpp>
 
 #include "case_reader.hpp"
 #include "sites.hpp"
@@ -17,23 +18,9 @@ struct FormulaHost {
     std::string place;
 };
 
-class ReadFormula final : public abi::Formula {
-public:
-    ReadFormula(const FormulaHost& host, const char* text) : expression_(text, constants(host.scene), host.scene.box.dimension, host.place) {}
-    void evaluate(const abi::Points& points, double* value) const override {
-        double x[3] = {};
-        for (int i = 0; i < points.n; ++i) {
-            for (int a = 0; a < points.dimension; ++a) x[a] = points.x[a][i];
-            value[i] = expression_(x);
-        }
-    }
-
-private:
-    Expression expression_;
-};
-
 std::unique_ptr<abi::Formula> read_formula(const void* host, const char* text) {
-    return std::make_unique<ReadFormula>(*static_cast<const FormulaHost*>(host), text);
+    const FormulaHost& h = *static_cast<const FormulaHost*>(host);
+    return std::make_unique<ReadFormula>(Expression(text, constants(h.scene), h.scene.box.dimension, h.place));
 }
 
 Obstacle read_obstacle(Case& scene, Section& section, Registry& registry) {

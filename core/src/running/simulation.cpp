@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <sphonic/error.hpp>
 #include <sphonic/json.hpp>
+#include <sphonic/shown.hpp>
 #include <sphonic/stability.hpp>
 #include <sphonic/version.hpp>
 
@@ -17,13 +17,6 @@
 
 namespace sphonic {
 namespace {
-
-std::string shown(double x) {
-    std::ostringstream text;
-    text.precision(4);
-    text << x;
-    return text.str();
-}
 
 /// The reference at the points of a snapshot; empty without one.
 std::vector<double> exact_pressure(const Case& scene, double t, const abi::Points& points) {

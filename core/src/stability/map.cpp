@@ -3,17 +3,12 @@
 
 #include <sphonic/error.hpp>
 #include <sphonic/json.hpp>
+#include <sphonic/shown.hpp>
 #include <sphonic/simulation.hpp>
 #include <sphonic/stability_report.hpp>
 
 namespace sphonic {
 namespace {
-
-std::string shown(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", x);
-    return text;
-}
 
 bool is_step(const Varied& varied) { return varied.pointer == "/integrator/dt" || varied.pointer == "/integrator/courant"; }
 
@@ -66,7 +61,7 @@ double StabilityMap::value(int point, std::size_t parameter) const {
 
 std::string StabilityMap::label(int point) const {
     std::string text;
-    for (std::size_t p = 0; p < varied_.size(); ++p) text += (p ? ", " : "") + varied_[p].pointer + "=" + shown(value(point, p));
+    for (std::size_t p = 0; p < varied_.size(); ++p) text += (p ? ", " : "") + varied_[p].pointer + "=" + shown(value(point, p), 6);
     return text;
 }
 

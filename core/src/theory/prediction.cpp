@@ -1,9 +1,9 @@
 #include <sphonic/prediction.hpp>
 
 #include <cmath>
-#include <sstream>
 
 #include <sphonic/json.hpp>
+#include <sphonic/shown.hpp>
 
 #include "linear_algebra.hpp"
 #include "mode_system.hpp"
@@ -43,13 +43,7 @@ double predicted_seconds(const Case& scene, const Summary& prepared, bool viscou
     return 1e-9 * (cost.fixed + per_pair * prepared.neighbours_mean) * passes * double(prepared.particles) * double(prepared.steps);
 }
 
-std::string shown(double x) {
-    std::ostringstream text;
-    text.precision(2);
-    text << x;
-    return text.str();
-}
-std::string percent(double x) { return shown(100 * x) + " %"; }
+std::string percent(double x) { return shown(100 * x, 2) + " %"; }
 
 /// Relative L2 error over 0 <= s <= c0 * until of exp(i k s) against the numerical wave of the same frequency.
 double wave_error(const Case& scene, const abi::PlaneWave& wave, double dt) {
@@ -82,7 +76,7 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
         power += a2;
         const double per_wavelength = 2 * std::acos(-1.0) * scene.medium.c0 / (wave->omega * scene.box.dx);
         if (per_wavelength < 6)
-            out.warnings.push_back("the highest source frequency has " + shown(per_wavelength) +
+            out.warnings.push_back("the highest source frequency has " + shown(per_wavelength, 2) +
                                    " points per wavelength: waves this short travel wrongly or not at all");
     }
     out.l2 = std::sqrt(error / power);
