@@ -27,6 +27,10 @@ void print_summary(const Summary& s, const std::filesystem::path& folder) {
                     s.errors->l2, s.errors->rms, 1e4 * s.errors->eps, s.errors->max);
     std::printf("  %.3g s of CPU on %d %s, %.3g ns per particle-step\n", s.cpu_s, s.threads, s.threads == 1 ? "thread" : "threads",
                 s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0.0);
+    const double nominal = double(s.particles) * double(s.steps);
+    if (s.particle_steps < nominal && !s.diverged)
+        std::printf("  %.3g of the particle-steps, the rest asleep (%.3g would be ideal); error of that below %.1e of the largest amplitude\n",
+                    s.particle_steps / nominal, s.ideal_particle_steps / nominal, s.asleep_error);
     if (s.diverged) std::printf("  DIVERGED %s\n", s.diverged_how.c_str());
     std::printf("  results in %s\n", folder.string().c_str());
 }

@@ -26,6 +26,15 @@ void half_step(benchmark::State& state, abi::Group group, Case from) {
     floor_of(state, {2.0 * d, 4 + 8.0 * d, (4 + 8.0 * d) * pairs});
 }
 
+/// Momentum and pressure of a moving set at the same positions.
+void both_sides(benchmark::State& state, Case from) {
+    ParticleSystem& system = prepare<Started>(std::move(from)).made.system;
+    const abi::Slot out = system.history("benchmark");
+    for (auto _ : state) system.rate(abi::everything, 0, out);
+    nanoseconds_per(state, "pair", double(system.particles()) * system.tier().neighbours_mean());
+    state.counters["neighbours"] = system.tier().neighbours_mean();
+}
+
 void frozen_1d(benchmark::State& state) { steps(state, lattice(1, 2500, 3.25, {jitter})); }
 void frozen_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1.3, {jitter})); }
 void frozen_2d_monaghan(benchmark::State& state) { steps(state, lattice(2, 512, 1.3, {jitter, monaghan})); }
@@ -40,6 +49,10 @@ void frozen_3d_momentum_monaghan(benchmark::State& state) { half_step(state, 0, 
 void moving_1d_monaghan(benchmark::State& state) { steps(state, lattice(1, 2500, 3.25, {monaghan, lagrangian})); }
 void moving_2d_monaghan(benchmark::State& state) { steps(state, lattice(2, 256, 1.3, {monaghan, lagrangian})); }
 void moving_3d_monaghan(benchmark::State& state) { steps(state, lattice(3, 40, 1.3, {monaghan, lagrangian})); }
+void moving_2d(benchmark::State& state) { steps(state, lattice(2, 256, 1.3, {lagrangian})); }
+void moving_3d(benchmark::State& state) { steps(state, lattice(3, 40, 1.3, {lagrangian})); }
+void moving_2d_both_sides_monaghan(benchmark::State& state) { both_sides(state, lattice(2, 256, 1.3, {monaghan, lagrangian})); }
+void moving_3d_both_sides_monaghan(benchmark::State& state) { both_sides(state, lattice(3, 40, 1.3, {monaghan, lagrangian})); }
 
 }    // namespace
 
@@ -56,3 +69,7 @@ BENCHMARK(frozen_3d_momentum_monaghan);
 BENCHMARK(moving_1d_monaghan);
 BENCHMARK(moving_2d_monaghan);
 BENCHMARK(moving_3d_monaghan);
+BENCHMARK(moving_2d);
+BENCHMARK(moving_3d);
+BENCHMARK(moving_2d_both_sides_monaghan);
+BENCHMARK(moving_3d_both_sides_monaghan);

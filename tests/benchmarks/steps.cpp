@@ -27,7 +27,8 @@ void ghosts_2d(benchmark::State& state) {
     const Components components(scene);
     const ParticleMedia media(scene, 0, nullptr);
     const Layout layout = Layout::grid(scene.box, 2);
-    LatticeGhosts ghosts(scene, components, media, layout, 1);
+    const LatticeTiles tiles(scene.box, layout);
+    LatticeGhosts ghosts(scene, components, media, layout, tiles, 1);
     std::vector<Array> fields;
     for (int c = 0; c < components.count; ++c) fields.emplace_back(std::size_t(layout.size));
     for (auto _ : state) {
@@ -38,6 +39,27 @@ void ghosts_2d(benchmark::State& state) {
 }
 void lattice_3d(benchmark::State& state) { steps(state, lattice(3, 128, 1.3)); }
 void lattice_3d_monaghan(benchmark::State& state) { steps(state, lattice(3, 64, 1.3, {monaghan})); }
+/// A pulse in the middle of a box ten times as large as it is at the end of a dozen steps, in nanoseconds per nominal particle-step.
+void lattice_3d_pulse(benchmark::State& state, const std::string& active) {
+    const Case scene = lattice(3, 161, 1.3, {R"json(/initial/p=1e-6*exp(-((x-80)^2+(y-80)^2+(z-80)^2)/4))json", "/integrator/courant=0.4", "/until=4.8", "/active=" + active});
+    double nominal = 1;
+    for (auto _ : state) {
+        state.PauseTiming();
+        auto simulation = std::make_unique<Simulation>(scene);
+        const Summary& s = simulation->summary();
+        nominal = double(s.particles) * double(s.steps);
+        state.ResumeTiming();
+        for (long step = 0; step < s.steps; ++step) simulation->solver().step();
+        state.PauseTiming();
+        const double stepped = simulation->solver().activity().particle_steps;
+        state.counters["stepped"] = stepped < 0 ? 1 : stepped / nominal;
+        simulation.reset();
+        state.ResumeTiming();
+    }
+    nanoseconds_per(state, "particle-step", nominal);
+}
+void lattice_3d_pulse_all(benchmark::State& state) { lattice_3d_pulse(state, "all"); }
+void lattice_3d_pulse_asleep(benchmark::State& state) { lattice_3d_pulse(state, "auto"); }
 void fdtd_1d(benchmark::State& state) { steps(state, lattice(1, 2500, 1, {R"(/method={"type":"fdtd"})"})); }
 void fdtd_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd"})"})); }
 void fdtd_2d_order_4(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd","order":4})"})); }
@@ -61,6 +83,8 @@ BENCHMARK(lattice_2d_walls_two_media);
 BENCHMARK(ghosts_2d);
 BENCHMARK(lattice_3d);
 BENCHMARK(lattice_3d_monaghan);
+BENCHMARK(lattice_3d_pulse_all)->Iterations(1);
+BENCHMARK(lattice_3d_pulse_asleep)->Iterations(1);
 BENCHMARK(fdtd_1d);
 BENCHMARK(fdtd_2d);
 BENCHMARK(fdtd_2d_order_4);

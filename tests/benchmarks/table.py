@@ -15,6 +15,8 @@ TARGETS = {
     "frozen_2d_momentum_monaghan": (4, "ns"),
     "moving_2d_monaghan": (4.5, "ns"),
     "moving_3d_monaghan": (4.5, "ns"),
+    "moving_2d_both_sides_monaghan": (4.5, "ns"),
+    "moving_3d_both_sides_monaghan": (4.5, "ns"),
 }
 BY_PAIR = ("frozen", "moving")
 TRIADS = ("triad/3072", "triad/786432", "triad/25165824")

@@ -24,6 +24,8 @@ namespace sphonic {
 
 enum class Motion { frozen, lagrangian };
 enum class Neighbours { automatic, lattice, frozen, moving };
+/// Which particles are stepped: those that matter to what is asked for, or all.
+enum class Active { automatic, all };
 
 struct SourceUse {
     std::unique_ptr<abi::Source> source;
@@ -73,6 +75,7 @@ struct ReferenceUse {
 
 struct Output {
     double every = 0;    ///< interval of probe samples [s]; 0: every step
+    bool fields = true;  ///< of the whole set at the end; without them only probes and the reference's region are asked for
     std::vector<std::vector<double>> probes;
 };
 
@@ -101,6 +104,7 @@ struct Case {
     std::string integrator_name;
     StepChoice step;
     double until = 0;    ///< [s]
+    Active active = Active::automatic;
     std::optional<ReferenceUse> reference;
     Output output;
     std::unique_ptr<abi::Method> method;

@@ -46,7 +46,10 @@ struct Summary {
     int threads = 1;
     double wall_s = 0, cpu_s = 0;       ///< stepping only
     double setup_s = 0;                 ///< CPU time before the first step
-    double particle_steps = 0;
+    double particle_steps = 0;          ///< particles really stepped, summed over steps
+    double ideal_particle_steps = -1;   ///< of sound at the speed c0 that can matter; negative: all
+    double asleep_error = 0;            ///< bound of what the others can have changed, over the largest amplitude
+    std::string all_because;            ///< why all were stepped where less was wanted
     double memory_bytes = 0;
     std::optional<Errors> errors;
     double energy_initial = 0, energy_final = 0;
@@ -81,7 +84,7 @@ public:
     void run(const std::function<void(const Progress&)>& progress = {});
 
     const ProbeRecord& probes() const { return probes_; }
-    /// The present state beside the reference.
+    /// The present state beside the reference; not a number where a case asks for no fields, and for nothing else there.
     Profile profile();
     /// The last state that was seen while all was well: what a run that diverged has to show.
     Profile last_good();

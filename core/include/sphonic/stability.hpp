@@ -121,6 +121,8 @@ double amplification(const Case& scene, std::complex<double> z);
 
 /// True if the case's integrator passes through states within a step that it does not keep: walls with memory cannot follow it.
 bool works_in_stages(const Case& scene);
+/// How many rates the integrator evaluates in a step, each of which reads one support further.
+int evaluations_per_step(const Case& scene, long index);
 
 /// How the case's lattice and integrator carry a steady tone at step dt, mean over axis and diagonals; nothing where no wave
 /// of that frequency travels. Without viscosity.

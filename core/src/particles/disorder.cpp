@@ -27,8 +27,7 @@ public:
         for (int a = 0; a < scene_.box.dimension; ++a) {
             r_[a].clear();
             for (std::int64_t k = first; k < last; ++k) {
-                double r = x_[a][i] - x_[a][list_.neighbour()[std::size_t(k)]];
-                if (const double period = list_.period(a); period > 0) r -= period * std::nearbyint(r / period);
+                const double r = list_.period(a).nearest(x_[a][i] - x_[a][list_.neighbour()[std::size_t(k)]]);
                 r_[a].push_back(r);
                 distance_[std::size_t(k - first)] += r * r;
             }

@@ -6,8 +6,8 @@
 
 namespace sphonic {
 
-LatticeGhosts::LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, int threads)
-    : scene_(scene), components_(components), media_(media), layout_(layout), threads_(threads), memory_(std::size_t(6 * components.count)) {}
+LatticeGhosts::LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, const LatticeTiles& tiles, int threads)
+    : scene_(scene), components_(components), media_(media), layout_(layout), tiles_(tiles), threads_(threads), memory_(std::size_t(6 * components.count)) {}
 
 std::vector<std::span<double>> LatticeGhosts::remembered() {
     std::vector<std::span<double>> all;
@@ -31,16 +31,19 @@ long LatticeGhosts::columns(int axis) const {
 void LatticeGhosts::fill(int component, double* field, const double* pressure, double t) {
     for (int a = 0; a < layout_.dimension; ++a) {
         if (scene_.box.periodic[a]) {
-            wrap(field, a);
+            if (reached(a, false) || reached(a, true)) wrap(field, a);
             continue;
         }
         for (const bool upper : {false, true}) {
             const abi::Closure closure = scene_.closure(a, upper);
-            if (closure == abi::Closure::mirror) mirror(field, component, a, upper);
+            if (closure == abi::Closure::mirror && reached(a, upper)) mirror(field, component, a, upper);
             if (closure == abi::Closure::layers) layers(field, pressure, component, t, a, upper);
         }
     }
 }
+
+/// Does the face see anything but rest?
+bool LatticeGhosts::reached(int axis, bool upper) const { return tiles_.reaches(axis, upper, layout_.ghosts[axis] + 2); }
 
 /// Enough to share among threads?
 bool LatticeGhosts::worthwhile(int axis) const { return columns(axis) * layout_.ghosts[axis] > 20 * block_length; }

@@ -5,6 +5,7 @@
 
 #include <sphonic/case.hpp>
 
+#include "lattice_tiles.hpp"
 #include "particle_media.hpp"
 #include "store.hpp"
 #include "tier.hpp"
@@ -15,9 +16,9 @@ namespace sphonic {
 /// each with the ghosts of those before it, so that edges and corners are right.
 class LatticeGhosts {
 public:
-    LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, int threads);
+    LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, const LatticeTiles& tiles, int threads);
 
-    /// Fills the ghosts of one component, whose values are those of time t [s]. `pressure` is that of p, as it stands.
+    /// Fills the ghosts of one component, whose values are those of time t [s], of faces that what is stepped comes near to; walls with memory always. `pressure` is that of p, as it stands.
     void fill(int component, double* field, const double* pressure, double t);
     /// Forgets what layers with memory were before.
     void restart();
@@ -51,12 +52,14 @@ private:
     const Components& components_;
     const ParticleMedia& media_;
     const Layout layout_;
+    const LatticeTiles& tiles_;
     int threads_;
     std::vector<std::unique_ptr<Memory>> memory_;    ///< [component][axis][upper], where a face has layers
 
     long columns(int axis) const;
     std::vector<Stretch> stretches(int axis, bool upper) const;
     bool worthwhile(int axis) const;
+    bool reached(int axis, bool upper) const;
     template <class Line>
     void for_lines(double* field, int axis, Line line) const;
     void wrap(double* field, int axis) const;

@@ -161,7 +161,8 @@ void MendedRows::add_row(const Site& site, bool end) {
 void MendedRows::mend(const double* const* f, double* const* out, double scale) const {
     const int d = grid_.layout.dimension;
     const bool gradient = term_.op == Term::Operator::gradient;
-    in_blocks(grid_.threads, long(rows_.size()), [&](long begin, long end) {
+    const auto place = [this](long r) { return rows_[std::size_t(r)].at; };
+    grid_.tiles.for_entries(grid_.threads, long(rows_.size()), place, [&](long begin, long end) {
         for (long r = begin; r < end; ++r) {
             const Row& row = rows_[std::size_t(r)];
             double sum[3] = {0, 0, 0};

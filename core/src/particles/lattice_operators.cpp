@@ -128,8 +128,8 @@ private:
         }
         sweep(e, out, {1, true});
         for (std::size_t a = 0; a < target_.size(); ++a)
-            in_row_blocks(grid_.threads, l, [&](long, long offset, long, long n) {
-                multiply_row(e, out[a] + offset, e.out[target_[a]] + offset, offset, n);
+            grid_.for_stretches([&](const LatticeTiles::Stretch& s) {
+                multiply_row(e, out[a] + s.offset, e.out[target_[a]] + s.offset, s.offset, s.n);
             });
     }
 
@@ -146,7 +146,7 @@ private:
 }    // namespace
 
 LatticeGrid::LatticeGrid(const Case& scene, const ParticleMedia& media, long reach)
-    : scene(scene), media(media), layout(Layout::grid(scene.box, reach)), threads(threads_for(scene)) {
+    : scene(scene), media(media), layout(Layout::grid(scene.box, reach)), tiles(scene.box, layout), threads(threads_for(scene)) {
     for (const KernelUse& use : scene.kernels) neighbours.push_back(lattice_neighbours(scene.box, use));
     if (!media.several()) return;
     layout.for_rows([&](long offset, long first) {

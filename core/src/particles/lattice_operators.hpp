@@ -5,6 +5,7 @@
 
 #include <sphonic/case.hpp>
 
+#include "lattice_tiles.hpp"
 #include "parallel.hpp"
 #include "particle_media.hpp"
 #include "stencil.hpp"
@@ -20,19 +21,28 @@ struct LatticeGrid {
     const Case& scene;
     const ParticleMedia& media;
     Layout layout;
+    LatticeTiles tiles;    ///< what is stepped
     int threads;
     std::vector<std::vector<Offset>> neighbours{};    ///< by kernel
 
     int medium(const std::array<long, 3>& site) const {
         return media.number(site[0] + layout.count[0] * (site[1] + layout.count[1] * site[2]));
     }
-    /// Calls block(medium, offset in the field, particles) for consecutive particles of one medium, over all rows.
+    /// Calls block(stretch) for consecutive particles that are stepped, over all rows.
+    template <class Block>
+    void for_stretches(Block block) const {
+        tiles.for_stretches(threads, block);
+    }
+    /// Calls block(medium, offset in the field, particles) for consecutive particles of one medium that are stepped, over all rows.
     template <class Block>
     void for_blocks(Block block) const {
-        if (!media.several()) return in_row_blocks(threads, layout, [&](long, long offset, long, long n) { block(0, offset, n); });
-        in_parallel(threads, long(stretches_.size()), [&](long i) {
-            const Stretch& s = stretches_[std::size_t(i)];
-            block(s.medium, s.offset, s.n);
+        for_stretches([&](const LatticeTiles::Stretch& s) {
+            if (!media.several()) return block(0, s.offset, s.n);
+            const auto beyond = [](std::ptrdiff_t place, const Stretch& m) { return place < m.offset; };
+            for (auto m = std::upper_bound(stretches_.begin(), stretches_.end(), s.offset, beyond) - 1; m != stretches_.end() && m->offset < s.offset + s.n; ++m) {
+                const long begin = std::max(m->offset, long(s.offset)), end = std::min(m->offset + m->n, long(s.offset + s.n));
+                if (begin < end) block(m->medium, begin, end - begin);
+            }
         });
     }
 
@@ -53,7 +63,7 @@ private:
         int medium;
         long offset, n;
     };
-    std::vector<Stretch> stretches_;    ///< where there are several media
+    std::vector<Stretch> stretches_;    ///< of one medium each, where there are several
 };
 
 /// One term of one variable on a lattice.

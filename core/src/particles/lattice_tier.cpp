@@ -49,7 +49,7 @@ private:
 class LatticeTier final : public Tier {
 public:
     LatticeTier(const Case& scene, const Components& components, const ParticleMedia& media)
-        : components_(components), grid_(scene, media, reach(scene)), ghosts_(scene, components, media, grid_.layout, grid_.threads) {}
+        : components_(components), grid_(scene, media, reach(scene)), ghosts_(scene, components, media, grid_.layout, grid_.tiles, grid_.threads) {}
 
     const char* name() const override { return "lattice"; }
     const Layout& layout() const override { return grid_.layout; }
@@ -69,6 +69,17 @@ public:
         return double(most);
     }
 
+    LatticeTiles* tiles() override { return &grid_.tiles; }
+    double farthest() const override {
+        double squares = 0;
+        for (const auto& neighbours : grid_.neighbours)
+            for (const Offset& n : neighbours) squares = std::max(squares, n.r2 / std::pow(grid_.scene.box.dx, 2));
+        for (const Variable& v : grid_.scene.equations.variables)
+            for (const Term& term : v.terms)
+                for (const auto& fitted : term.fitted)
+                    for (const auto& o : fitted->offset) squares = std::max(squares, double(o[0] * o[0] + o[1] * o[1] + o[2] * o[2]));
+        return std::sqrt(squares);
+    }
     void fill_ghosts(int component, double* field, const double* pressure, double t) override { ghosts_.fill(component, field, pressure, t); }
     void restart() override { ghosts_.restart(); }
     std::vector<std::span<double>> memory() override { return ghosts_.remembered(); }

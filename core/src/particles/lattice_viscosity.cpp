@@ -41,10 +41,12 @@ public:
 
     void apply(const Evaluation& e) override {
         const Layout& l = grid_.layout;
-        const long per_row = (l.count[0] + block - 1) / block;
-        in_parallel(grid_.threads, per_row * l.rows(), [&](long i) {
-            const long row = i / per_row, begin = i % per_row * block;
-            apply_block(e, l.row(row), row % l.count[1], row / l.count[1], begin, std::min(begin + block, l.count[0]));
+        const auto stretches = grid_.tiles.stretches();
+        constexpr long parts = block_length / block;
+        in_parallel(grid_.tiles.shares(grid_.threads), parts * long(stretches.size()), [&](long i) {
+            const LatticeTiles::Stretch& s = stretches[std::size_t(i / parts)];
+            const long begin = s.begin + i % parts * block, end = std::min(begin + block, s.begin + s.n);
+            if (begin < end) apply_block(e, l.row(s.row), s.row % l.count[1], s.row / l.count[1], begin, end);
         });
     }
 

@@ -1,16 +1,21 @@
 #include <algorithm>
+#include <utility>
 
 #include <sphonic/error.hpp>
 
 #include "frozen_weights.hpp"
 #include "pair_set.hpp"
 #include "parallel.hpp"
+#include "plain_pairs.hpp"
 #include "virtual_particles.hpp"
 
 namespace sphonic {
 namespace {
 
-constexpr double skin_over_dx = 0.25;
+/// A list begins with the least skin, whose few superfluous pairs are not worth sorting out. Where it is outdated after fewer changes of
+/// positions than `worth_a_build`, the next one has twice the skin.
+constexpr double least_skin_over_dx = 0.25 / 8, most_skin_over_dx = 0.25, skin_worth_narrowing_over_dx = 0.1;
+constexpr long worth_a_build = 20;
 
 /// Every neighbour must be the nearest image of its source.
 void check_length(const Case& scene, int axis, double length, double least, const std::string& what) {
@@ -44,13 +49,14 @@ void check_faces(const Case& scene, double reach) {
 class ListTier final : public Tier {
 public:
     ListTier(const Case& scene, const Components& components, const ParticleMedia& media, const Sites& sites, const double* const* x, bool frozen)
-        : reach_(scene.radius() + (frozen ? 0 : skin_over_dx * scene.box.dx)),
+        : reach_(scene.radius() + (frozen ? 0 : most_skin_over_dx * scene.box.dx)),
           virtuals_(scene, components, sites, x, reach_, frozen, threads_for(scene)),
           set_{.scene = scene,
                .components = components,
                .media = media,
                .layout = Layout::flat(sites.count(), virtuals_.room()),
-               .list = NeighbourList(scene.box, sites.count(), scene.radius(), reach_ - scene.radius()),
+               .list = NeighbourList(scene.box, sites.count(), scene.radius(), frozen ? 0 : least_skin_over_dx * scene.box.dx, threads_for(scene)),
+               .near = NearPairs(set_.list),
                .walls = virtuals_.walls(),
                .mirrors = virtuals_.mirrors(),
                .threads = threads_for(scene)} {
@@ -68,16 +74,24 @@ public:
     const Layout& layout() const override { return set_.layout; }
     std::unique_ptr<Program> compile(const std::vector<int>& variables) override {
         if (set_.kept) return make_frozen_program(set_, weights_, variables);
-        return make_pair_program(set_, whole_shares(set_.scene.equations, variables));
+        const std::vector<Share> shares = whole_shares(set_.scene.equations, variables);
+        if (const auto plain = PlainRates::of(set_, shares)) return make_plain_program(set_, *plain);
+        return make_pair_program(set_, shares);
     }
     void fill_ghosts(int component, double* field, const double*, double) override { virtuals_.fill(component, field); }
     void moved(const double* const* x) override {
         virtuals_.follow(x);
         for (int a = 0; a < set_.scene.box.dimension; ++a) set_.x[a] = virtuals_.x(a);
-        if (!set_.list.outdated(set_.x)) return;
-        virtuals_.renew();
-        set_.list.build(set_.x, virtuals_.count());
-        cut_tiles(set_);
+        const double dx = set_.scene.box.dx;
+        ++moves_;
+        if (set_.list.outdated(set_.x)) {
+            virtuals_.renew();
+            if (std::exchange(moves_, 0) < worth_a_build) set_.list.widen(reach_ - set_.scene.radius());
+            set_.list.build(set_.x, virtuals_.count());
+            set_.near.cut(pairs_per_tile);
+            set_.near.take_all();
+        }
+        if (set_.list.skin() > skin_worth_narrowing_over_dx * dx) set_.near.narrow(set_.x, set_.layout.particles() + virtuals_.count(), set_.threads);
     }
     double neighbours_mean() const override { return neighbours_mean_; }
     double damping() const override { return weights_.cloud().damping(); }
@@ -89,7 +103,8 @@ public:
     }
 
 private:
-    double reach_;    ///< of the list [m]
+    double reach_;    ///< of the widest list [m]
+    long moves_ = worth_a_build;    ///< since the list was built
     VirtualParticles virtuals_;
     PairSet set_;
     PairGeometry geometry_;

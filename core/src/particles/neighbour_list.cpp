@@ -3,91 +3,80 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "cells.hpp"
+#include "lanes.hpp"
+#include "parallel.hpp"
 
 namespace sphonic {
 namespace {
 
-/// Particles sorted into cubic cells at least `side` wide.
-class Cells {
+/// The rows of places that follow each other in a set sorted into cells.
+class Rows {
 public:
-    Cells(const abi::Box& box, long n, const double* const* x, double side) : d_(box.dimension) {
-        for (int a = 0; a < d_; ++a) {
-            periodic_[a] = box.periodic[a];
-            const auto [least, most] = std::minmax_element(x[a], x[a] + n);
-            lower_[a] = periodic_[a] ? box.lower[a] : *least;
-            const double length = periodic_[a] ? box.upper[a] - box.lower[a] : *most - *least;
-            const double limit = std::pow(4.0 * double(n) + 64, 1.0 / d_);    // no more cells than a few per particle
-            count_[a] = std::max(1L, long(std::min(length / side, limit)));
-            width_[a] = std::max(length / double(count_[a]), side * 1e-12);
+    /// `x` of all particles.
+    Rows(const Cells& cells, const NeighbourList& list, const double* const* x, double reach) : cells_(cells), list_(list), reach2_(reach * reach) {
+        const auto& member = cells.members();
+        for (int a = 0; a < list.dimension(); ++a) {
+            x_[a].resize(member.size() + overrun);
+            for (std::size_t m = 0; m < member.size(); ++m) x_[a][m] = x[a][member[m]];
         }
-        first_.assign(std::size_t(count_[0] * count_[1] * count_[2] + 1), 0);
-        cell_.resize(std::size_t(n));
-        for (long i = 0; i < n; ++i) {
-            cell_[std::size_t(i)] = index(of(x, i));
-            ++first_[std::size_t(cell_[std::size_t(i)] + 1)];
-        }
-        for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-        member_.resize(std::size_t(n));
-        std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
-        for (long i = 0; i < n; ++i) member_[std::size_t(next[std::size_t(cell_[std::size_t(i)])]++)] = std::int32_t(i);
+        member_ = member;
+        member_.resize(member.size() + overrun);
     }
 
-    std::array<long, 3> of(const double* const* x, long i) const {
-        std::array<long, 3> c{};
-        for (int a = 0; a < d_; ++a) {
-            const long k = long(std::floor((x[a][i] - lower_[a]) / width_[a]));
-            c[std::size_t(a)] = periodic_[a] ? ((k % count_[a]) + count_[a]) % count_[a] : std::clamp(k, 0L, count_[a] - 1);
+    /// Appends the neighbours of places begin ... end - 1 that belong to particles below `own`, and the length of each one's row.
+    void find(long begin, long end, long own, std::vector<std::int32_t>& neighbour, std::vector<std::int64_t>& length) const {
+        std::vector<std::pair<long, long>> spans;
+        std::size_t found = 0;
+        long cell = -1;
+        for (long m = begin; m < end; ++m) {
+            const std::int32_t i = member_[std::size_t(m)];
+            if (i >= own) continue;
+            if (std::exchange(cell, cells_.cell(i)) != cells_.cell(i)) cells_.around(i, spans);
+            const std::size_t before = found;
+            for (const auto& [first, last] : spans) {
+                const bool mine = first <= m && m < last;    // which leaves itself out
+                const long room = long(found) + last - first;
+                if (long(neighbour.size()) < room) neighbour.resize(std::size_t(2 * room));
+                found += near(m, first, mine ? m : last, neighbour.data() + found);
+                if (mine) found += near(m, m + 1, last, neighbour.data() + found);
+            }
+            length.push_back(std::int64_t(found - before));
         }
-        return c;
-    }
-
-    /// The distinct cells around and including `c`, in a fixed order.
-    std::vector<long> around(const std::array<long, 3>& c) const {
-        std::vector<long> found;
-        std::array<long, 3> low{}, high{};
-        for (std::size_t a = 0; a < std::size_t(d_); ++a) low[a] = -1, high[a] = 1;
-        for (long k = low[2]; k <= high[2]; ++k)
-            for (long j = low[1]; j <= high[1]; ++j)
-                for (long i = low[0]; i <= high[0]; ++i) {
-                    std::array<long, 3> at{c[0] + i, c[1] + j, c[2] + k};
-                    bool exists = true;
-                    for (int a = 0; a < d_; ++a) {
-                        long& v = at[std::size_t(a)];
-                        if (periodic_[a])
-                            v = (v + count_[a]) % count_[a];
-                        else
-                            exists = exists && v >= 0 && v < count_[a];
-                    }
-                    if (exists && std::find(found.begin(), found.end(), index(at)) == found.end()) found.push_back(index(at));
-                }
-        return found;
-    }
-
-    std::span<const std::int32_t> members(long cell) const {
-        return {member_.data() + first_[std::size_t(cell)], std::size_t(first_[std::size_t(cell + 1)] - first_[std::size_t(cell)])};
-    }
-    long index(const std::array<long, 3>& c) const { return c[0] + count_[0] * (c[1] + count_[1] * c[2]); }
-    long cells() const { return long(first_.size()) - 1; }
-    std::array<long, 3> site(long cell) const {
-        return {cell % count_[0], cell / count_[0] % count_[1], cell / (count_[0] * count_[1])};
+        neighbour.resize(found);
     }
 
 private:
-    int d_;
-    bool periodic_[3] = {};
-    double lower_[3] = {}, width_[3] = {1, 1, 1};
-    long count_[3] = {1, 1, 1};
-    std::vector<std::int32_t> first_, member_;
-    std::vector<long> cell_;
+    const Cells& cells_;
+    const NeighbourList& list_;
+    double reach2_;
+    std::vector<double> x_[3];    ///< by place
+    std::vector<std::int32_t> member_;
+
+    std::size_t near(long m, long first, long last, std::int32_t* found) const {
+        int count = 0;
+        for (long k = first; k < last; k += lanes) {
+            Lane r2 = {};
+            for (int a = 0; a < list_.dimension(); ++a) {
+                const Lane r = list_.period(a).nearest(x_[a][std::size_t(m)] - load(x_[a].data() + k));
+                r2 += r * r;
+            }
+            count += keep(r2 < reach2_, int(std::min<long>(lanes, last - k)), member_.data() + k, found + count);
+        }
+        return std::size_t(count);
+    }
 };
 
 }    // namespace
 
-NeighbourList::NeighbourList(const abi::Box& box, long particles, double radius, double skin)
-    : box_(box), n_(particles), radius_(radius), skin_(skin) {
+NeighbourList::NeighbourList(const abi::Box& box, long particles, double radius, double skin, int threads)
+    : box_(box), n_(particles), radius_(radius), skin_(skin), threads_(threads) {
     for (int a = 0; a < box.dimension; ++a)
-        if (box.periodic[a]) period_[a] = box.upper[a] - box.lower[a];
+        if (box.periodic[a]) period_[a] = Period(box.upper[a] - box.lower[a]);
 }
 
 bool NeighbourList::moved(const double* const* x) const {
@@ -106,61 +95,48 @@ bool NeighbourList::moved(const double* const* x) const {
 void NeighbourList::build(const double* const* x, long images) {
     for (int a = 0; a < box_.dimension; ++a) built_at_[a].assign(x[a], x[a] + n_);
     const Cells cells(box_, n_ + images, x, radius_ + skin_);
-    const double limit = (radius_ + skin_) * (radius_ + skin_);
-    const auto near = [&](long i, long j) {
-        double d2 = 0;
-        for (int a = 0; a < box_.dimension; ++a) {
-            double d = x[a][i] - x[a][j];
-            if (period_[a] > 0) d -= period_[a] * std::nearbyint(d / period_[a]);
-            d2 += d * d;
-        }
-        return d2 < limit;
-    };
-    const auto for_neighbours = [&](auto found) {
-        for (long c = 0; c < cells.cells(); ++c) {
-            const auto around = cells.around(cells.site(c));
-            for (const std::int32_t i : cells.members(c)) {
-                if (i >= n_) continue;
-                for (const long other : around)
-                    for (const std::int32_t j : cells.members(other))
-                        if (j != i && near(i, j)) found(i, j);
-            }
-        }
-    };
-    start_.assign(std::size_t(n_ + 1), 0);
-    for_neighbours([&](std::int32_t i, std::int32_t) { ++start_[std::size_t(i) + 1]; });
-    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    neighbour_.resize(std::size_t(start_.back()));
-    std::vector<std::int64_t> next(start_.begin(), start_.end() - 1);
-    for_neighbours([&](std::int32_t i, std::int32_t j) { neighbour_[std::size_t(next[std::size_t(i)]++)] = j; });
-    for (std::size_t i = 0; i + 1 < start_.size(); ++i) std::sort(neighbour_.begin() + start_[i], neighbour_.begin() + start_[i + 1]);
-    find_runs();
+    const Rows rows(cells, *this, x, radius_ + skin_);
+    const long places = n_ + images, pieces = (places + block_length - 1) / block_length;
+    std::vector<std::vector<std::int32_t>> neighbour{std::size_t(pieces)};
+    std::vector<std::vector<std::int64_t>> length{std::size_t(pieces)};
+    in_parallel(threads_, pieces, [&](long k) {
+        rows.find(k * block_length, std::min((k + 1) * block_length, places), n_, neighbour[std::size_t(k)], length[std::size_t(k)]);
+    });
+    start_.assign(1, 0);
+    for (const auto& piece : length)
+        for (const std::int64_t l : piece) start_.push_back(start_.back() + l);
+    order_.clear();
+    std::copy_if(cells.members().begin(), cells.members().end(), std::back_inserter(order_), [&](std::int32_t i) { return i < n_; });
+    neighbour_.resize(std::size_t(start_.back() + overrun));
+    auto to = neighbour_.begin();
+    for (const auto& piece : neighbour) to = std::copy(piece.begin(), piece.end(), to);
+    std::fill(to, neighbour_.end(), 0);
+    if (skin_ == 0) order_by_particle();
 }
 
-void NeighbourList::find_runs() {
-    runs_.clear();
-    first_run_.assign(1, 0);
-    for (long i = 0; i < n_; ++i) {
-        for (std::int64_t k = start_[std::size_t(i)]; k < start_[std::size_t(i) + 1]; ++k) {
-            const std::int32_t j = neighbour_[std::size_t(k)];
-            const bool continues = k > start_[std::size_t(i)] && neighbour_[std::size_t(k) - 1] + 1 == j;
-            if (continues)
-                ++runs_.back().count;
-            else
-                runs_.push_back({j, 1});
-        }
-        first_run_.push_back(std::int64_t(runs_.size()));
+/// Rows in the order of their particles, each ascending.
+void NeighbourList::order_by_particle() {
+    std::vector<std::int64_t> start(start_.size(), 0);
+    for (std::size_t k = 0; k < order_.size(); ++k) start[std::size_t(order_[k]) + 1] = start_[k + 1] - start_[k];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::int32_t> neighbour(neighbour_.size(), 0);
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+        const auto to = neighbour.begin() + start[std::size_t(order_[k])];
+        std::sort(to, std::copy(neighbour_.begin() + start_[k], neighbour_.begin() + start_[k + 1], to));
     }
+    start_.swap(start);
+    neighbour_.swap(neighbour);
+    std::iota(order_.begin(), order_.end(), 0);
 }
 
 double NeighbourList::mean_within_radius(const double* const* x) const {
     double pairs = 0;
-    for (long i = 0; i < n_; ++i)
-        for (std::int64_t k = start_[std::size_t(i)]; k < start_[std::size_t(i) + 1]; ++k) {
+    for (std::size_t row = 0; row < order_.size(); ++row)
+        for (std::int64_t k = start_[row]; k < start_[row + 1]; ++k) {
+            const std::int32_t i = order_[row];
             double d2 = 0;
             for (int a = 0; a < box_.dimension; ++a) {
-                double d = x[a][i] - x[a][neighbour_[std::size_t(k)]];
-                if (period_[a] > 0) d -= period_[a] * std::nearbyint(d / period_[a]);
+                const double d = period_[a].nearest(x[a][i] - x[a][neighbour_[std::size_t(k)]]);
                 d2 += d * d;
             }
             pairs += d2 < radius_ * radius_;
@@ -169,7 +145,7 @@ double NeighbourList::mean_within_radius(const double* const* x) const {
 }
 
 double NeighbourList::bytes() const {
-    return 16.0 * double(start_.size()) + 4.0 * double(neighbour_.size()) + 8.0 * double(runs_.size()) + 8.0 * double(n_ * box_.dimension);
+    return 8.0 * double(start_.size()) + 4.0 * double(order_.size() + neighbour_.size()) + 8.0 * double(n_ * box_.dimension);
 }
 
 }    // namespace sphonic

@@ -9,17 +9,17 @@
 
 namespace sphonic {
 
-PairCorrections::PairCorrections(const PairSet& set, int kernel) : set_(set), kernel_(kernel) {
-    for (int t = 0; t < set.threads; ++t) workers_.push_back({PairValues(set, {})});
+PairCorrections::PairCorrections(const PairSet& set, int kernel) : set_(set), kernel_(kernel), positions_(set, {}) {
+    for (int t = 0; t < set.threads; ++t) workers_.push_back({PairValues(set, positions_)});
     const int d = set.scene.box.dimension;
     for (int k = 0; k < d * (d + 1) / 2; ++k) entry_[k] = Array(std::size_t(set.layout.size));
 }
 
 void PairCorrections::compute(const double* inverse_rho) {
     const long n = tiles(set_), threads = set_.threads;
+    positions_.fill(nullptr, inverse_rho);
     in_parallel(set_.threads, threads, [&](long t) {
         Worker& worker = workers_[std::size_t(t)];
-        worker.pairs.begin(nullptr, inverse_rho);
         worker.degenerate = -1;
         for (long k = n * t / threads; k < n * (t + 1) / threads && worker.degenerate < 0; ++k) {
             take_tile(set_, k, worker.tile);
@@ -96,7 +96,7 @@ void PairCorrections::refuse(long i, long neighbours) const {
 
 void CorrectedSeparations::start(const PairSet& set, const PairCorrections& corrections, const PairTile& tile, PairValues& pairs) {
     const int d = set.scene.box.dimension;
-    const std::int32_t* __restrict j = set.list.neighbour().data() + tile.base;
+    const std::int32_t* __restrict j = tile.j;
     for (int a = 0; a < d; ++a) {
         double *__restrict own = pairs.room(own_[a]), *__restrict other = pairs.room(other_[a]);
         for (int b = 0; b < d; ++b) {

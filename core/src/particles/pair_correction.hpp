@@ -28,6 +28,7 @@ private:
     const PairSet& set_;
     int kernel_;
     bool pairwise_ = false;
+    PairFields positions_;
     std::vector<Worker> workers_;
     Array entry_[6];
 

@@ -17,10 +17,9 @@ std::vector<int> count_to(int n) {
 
 PairDissipation::PairDissipation(const PairSet& set, const Term& term, const PairCorrections& corrections)
     : set_(set), term_(term), corrections_(corrections), first_(set.components.first[std::size_t(term.operand)]),
-      components_(set.scene.equations.variables[std::size_t(term.operand)].components(set.scene.box.dimension)) {
-    const int gradients = components_ * set.scene.box.dimension;
-    for (int t = 0; t < set.threads; ++t)
-        workers_.push_back({PairValues(set, count_to(components_)), PairValues(set, count_to(components_ + gradients))});
+      components_(set.scene.equations.variables[std::size_t(term.operand)].components(set.scene.box.dimension)),
+      fields_(set, count_to(components_)), all_(set, count_to(components_ * (1 + set.scene.box.dimension))) {
+    for (int t = 0; t < set.threads; ++t) workers_.push_back({PairValues(set, fields_), PairValues(set, all_)});
 }
 
 /// Calls visit(worker) with each tile.
@@ -37,15 +36,13 @@ void PairDissipation::for_tiles(auto visit) {
 
 void PairDissipation::apply(const Evaluation& e, const double* inverse_rho) {
     while (int(gradient_.size()) < components_ * set_.scene.box.dimension) gradient_.emplace_back(std::size_t(set_.layout.size));
-    fields_.assign(e.state + first_, e.state + first_ + components_);
-    for (const Array& gradient : gradient_) fields_.push_back(gradient.data());
-    for (Worker& worker : workers_) {
-        worker.values.begin(fields_.data(), inverse_rho);
-        worker.all.begin(fields_.data(), inverse_rho);
-    }
+    state_.assign(e.state + first_, e.state + first_ + components_);
+    for (const Array& gradient : gradient_) state_.push_back(gradient.data());
+    fields_.fill(state_.data(), inverse_rho);
     for_tiles([&](Worker& worker) { take_gradients(worker); });
     for (int c = 0; c < components_; ++c)
         for (int a = 0; a < set_.scene.box.dimension; ++a) set_.mirrors.fill_derivative(first_ + c, a, gradient_[std::size_t(at(c, a))].data());
+    all_.fill(state_.data(), inverse_rho);
     for_tiles([&](Worker& worker) { add_sums(worker, e, inverse_rho); });
 }
 

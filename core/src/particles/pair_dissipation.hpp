@@ -27,7 +27,8 @@ private:
     const PairCorrections& corrections_;
     int first_, components_;
     std::vector<Array> gradient_;          ///< of component c along axis a at c d + a
-    std::vector<const double*> fields_;    ///< what workers pack: the components, then the gradients
+    std::vector<const double*> state_;     ///< that the fields are filled from: the components, then the gradients
+    PairFields fields_, all_;              ///< the components; and their gradients too
     std::vector<Worker> workers_;
 
     int at(int component, int axis) const { return component * set_.scene.box.dimension + axis; }

@@ -7,15 +7,33 @@
 namespace sphonic {
 namespace {
 
+/// What terms read, by places in the state.
+std::vector<int> components_read(const PairSet& set, const std::vector<Share>& shares) {
+    const Equations& e = set.scene.equations;
+    std::vector<int> read;
+    const auto add = [&](int v) {
+        for (int c = 0; c < e.variables[std::size_t(v)].components(set.scene.box.dimension); ++c)
+            read.push_back(set.components.first[std::size_t(v)] + c);
+    };
+    if (set.density() >= 0) add(set.density());
+    for (const Share& share : shares)
+        for (const Term* term : share.terms) {
+            add(term->operand);
+            for (const Factor& f : term->factors) add(f.variable);
+        }
+    std::sort(read.begin(), read.end());
+    read.erase(std::unique(read.begin(), read.end()), read.end());
+    return read;
+}
+
 /// Rate terms tile by tile, every term as one scalar per pair. One worker per thread.
 class PairWorker {
 public:
-    PairWorker(const PairSet& set, const std::vector<Share>& shares, const PairTerms::Corrections& corrections)
-        : set_(set), shares_(shares), pairs_(set, components_read(set, shares)), terms_(set, corrections) {}
+    PairWorker(const PairSet& set, const std::vector<Share>& shares, const PairFields& fields, const PairTerms::Corrections& corrections)
+        : set_(set), shares_(shares), pairs_(set, fields), terms_(set, corrections) {}
 
-    /// Tiles begin ... end - 1; `inverse_rho` of all particles where the set has a current density, else null.
-    void evaluate(const Evaluation& e, const double* inverse_rho, long begin, long end) {
-        pairs_.begin(e.state, inverse_rho);
+    /// Tiles begin ... end - 1.
+    void evaluate(const Evaluation& e, long begin, long end) {
         for (long i = begin; i < end; ++i) {
             take_tile(set_, i, tile_);
             pairs_.start(tile_);
@@ -31,24 +49,6 @@ private:
     PairTile tile_;
     PairTerms terms_;
     Array sum_;
-
-    static std::vector<int> components_read(const PairSet& set, const std::vector<Share>& shares) {
-        const Equations& e = set.scene.equations;
-        std::vector<int> read;
-        const auto add = [&](int v) {
-            for (int c = 0; c < e.variables[std::size_t(v)].components(set.scene.box.dimension); ++c)
-                read.push_back(set.components.first[std::size_t(v)] + c);
-        };
-        if (set.density() >= 0) add(set.density());
-        for (const Share& share : shares)
-            for (const Term* term : share.terms) {
-                add(term->operand);
-                for (const Factor& f : term->factors) add(f.variable);
-            }
-        std::sort(read.begin(), read.end());
-        read.erase(std::unique(read.begin(), read.end()), read.end());
-        return read;
-    }
 
     const Variable& variable(int v) const { return set_.scene.equations.variables[std::size_t(v)]; }
 
@@ -86,11 +86,12 @@ public:
                 const bool corrected = term->form && term->form->correction() != abi::Correction::none;
                 if (!corrections && (corrected || term->dissipation)) corrections = std::make_unique<PairCorrections>(set, term->kernel);
                 if (corrected && term->form->correction() == abi::Correction::pairwise) corrections->pairwise();
-                if (term->dissipation) dissipations_.emplace_back(set, *term, *corrections);
+                if (term->dissipation) dissipations_.push_back(std::make_unique<PairDissipation>(set, *term, *corrections));
             }
             std::erase_if(share.terms, [](const Term* term) { return term->dissipation != nullptr; });
         }
-        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, shares, corrections_);
+        fields_ = std::make_unique<PairFields>(set, components_read(set, shares));
+        for (int t = 0; t < set.threads; ++t) workers_.emplace_back(set, shares, *fields_, corrections_);
         if (set.density() >= 0) inverse_rho_ = Array(std::size_t(set.layout.size));
     }
 
@@ -100,20 +101,22 @@ public:
             if (corrections) corrections->compute(inverse_rho_.data());
         if (e.terms != Terms::dissipation_only) evaluate_shares(e);
         if (e.terms == Terms::without_dissipation) return;
-        for (PairDissipation& dissipation : dissipations_) dissipation.apply(e, inverse_rho_.data());
+        for (const auto& dissipation : dissipations_) dissipation->apply(e, inverse_rho_.data());
     }
 
 private:
     const PairSet& set_;
     PairTerms::Corrections corrections_;
+    std::unique_ptr<PairFields> fields_;
     std::vector<PairWorker> workers_;
-    std::vector<PairDissipation> dissipations_;
+    std::vector<std::unique_ptr<PairDissipation>> dissipations_;
     Array inverse_rho_;
 
     void evaluate_shares(const Evaluation& e) {
         const long n = tiles(set_), threads = set_.threads;
+        fields_->fill(e.state, inverse_rho_.data());
         in_parallel(set_.threads, threads, [&](long t) {
-            workers_[std::size_t(t)].evaluate(e, inverse_rho_.data(), n * t / threads, n * (t + 1) / threads);
+            workers_[std::size_t(t)].evaluate(e, n * t / threads, n * (t + 1) / threads);
         });
     }
 

@@ -4,7 +4,7 @@
 #include <sphonic/case.hpp>
 
 #include "mirror_particles.hpp"
-#include "neighbour_list.hpp"
+#include "near_pairs.hpp"
 #include "obstacle_walls.hpp"
 #include "pair_tile.hpp"
 #include "tier.hpp"
@@ -27,11 +27,11 @@ struct PairSet {
     const ParticleMedia& media;
     Layout layout;
     NeighbourList list;
+    NearPairs near;                   ///< of the list
     const ObstacleWalls& walls;
     const MirrorParticles& mirrors;
     const double* x[3] = {};          ///< by axis, of own and virtual particles
     int threads = 1;
-    std::vector<long> cuts{};         ///< first particle of each tile, and the end
     double mass = 0;                  ///< [kg], the same for all
     double volume = 0;                ///< [m^d], where there is no current density
     const PairGeometry* kept = nullptr;    ///< of all pairs, on frozen sets
@@ -42,20 +42,40 @@ struct PairSet {
     int density() const { return kept ? -1 : scene.equations.density; }
 };
 
-/// Cuts the particles into tiles of about `pairs_per_tile` pairs, after the list has changed.
-void cut_tiles(PairSet& set);
-/// The i-th of them.
+/// The i-th tile of the pairs that are near.
 void take_tile(const PairSet& set, long i, PairTile& tile);
-inline long tiles(const PairSet& set) { return long(set.cuts.size()) - 1; }
+inline long tiles(const PairSet& set) { return set.near.tiles(); }
+
+/// What pairs take from their particles: positions, some components of a state, and 1/rho where the set has a current density.
+class PairFields {
+public:
+    /// `components` by their places in the states that evaluations begin with.
+    PairFields(const PairSet& set, std::vector<int> components) : set_(set), components_(std::move(components)) {}
+
+    /// Takes over present values, once per evaluation; `inverse_rho` of all particles, or null.
+    void fill(const double* const* state, const double* inverse_rho);
+
+    const std::vector<int>& components() const { return components_; }
+    bool has_inverse_rho() const { return inverse_rho_; }
+    /// Positions by axis where geometry is not kept, the components, and 1/rho, if any.
+    const std::vector<const double*>& sources() const { return sources_; }
+    /// Four sources each.
+    const std::vector<Interleaved>& parts() const { return parts_; }
+
+private:
+    const PairSet& set_;
+    std::vector<int> components_;
+    bool inverse_rho_ = false;
+    std::vector<const double*> sources_;
+    std::vector<Interleaved> parts_;
+};
 
 /// Per-pair values of a tile: separations, kernel slopes, and both sides' values of the components in use.
 class PairValues {
 public:
-    /// `components` are those that the program reads, by their places in the state that evaluations begin with.
-    PairValues(const PairSet& set, const std::vector<int>& components);
+    /// `fields` are filled before each evaluation.
+    PairValues(const PairSet& set, const PairFields& fields);
 
-    /// Once per evaluation, before any tile; `inverse_rho` of all particles where the set has a current density, else null.
-    void begin(const double* const* state, const double* inverse_rho);
     void start(const PairTile& tile);
 
     int n() const { return tile_->n; }
@@ -73,18 +93,19 @@ public:
 
 private:
     const PairSet& set_;
-    std::vector<int> components_;
-    const double* const* state_ = nullptr;
+    const PairFields& fields_;
     const PairTile* tile_ = nullptr;
     PairGeometry computed_;
     const double *r_[3] = {}, *r2_ = nullptr;    ///< into the computed or the kept geometry
     std::vector<const double*> slope_;
-    const double* inverse_rho_ = nullptr;
-    Array distance_;
+    Array distance_, unused_;
     std::vector<Array> weight_, own_, other_;
-    std::vector<Packing> packings_;
+    std::vector<double*> own_of_, other_of_;    ///< by source of the fields; positions have no `own`, their difference is `other`
 
-    void pack_tile();
+    void make_room();
+    void pack();
+    template <int W, int positions>
+    void pack_part(std::size_t part) const;
     void compute_geometry();
     void point_to(const PairGeometry& geometry, std::int64_t offset);
     void weigh(double* weight, const double* slope) const;

@@ -1,36 +1,43 @@
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "pair_set.hpp"
+#include "parallel.hpp"
 
 namespace sphonic {
 
-void cut_tiles(PairSet& set) {
-    const auto& start = set.list.start();
-    const long n = set.layout.particles();
-    set.cuts.assign(1, 0);
-    for (long i = 1; i <= n; ++i)
-        if (i == n || start[std::size_t(i) + 1] - start[std::size_t(set.cuts.back())] > pairs_per_tile) set.cuts.push_back(i);
-}
-
 void take_tile(const PairSet& set, long i, PairTile& tile) {
-    const auto& start = set.list.start();
-    tile.begin = set.cuts[std::size_t(i)];
-    tile.end = set.cuts[std::size_t(i) + 1];
-    tile.base = start[std::size_t(tile.begin)];
-    tile.first.clear();
-    for (long k = tile.begin; k <= tile.end; ++k) tile.first.push_back(int(start[std::size_t(k)] - tile.base));
-    tile.n = tile.first.back();
-    tile.first_run = set.list.first_run().data() + tile.begin;
-    tile.runs = set.list.runs().data();
+    const long begin = set.near.begin(i);
+    tile.rows = set.near.begin(i + 1) - begin;
+    tile.base = set.near.base(i);
+    tile.particle = set.list.order().data() + begin;
+    tile.first = set.near.first(i);
+    tile.j = set.near.neighbours(i);
+    tile.n = tile.first[tile.rows];
 }
 
-PairValues::PairValues(const PairSet& set, const std::vector<int>& components) : set_(set), components_(components) {
+void PairFields::fill(const double* const* state, const double* inverse_rho) {
+    inverse_rho_ = inverse_rho;
+    sources_.clear();
+    for (int a = 0; a < set_.scene.box.dimension && !set_.kept; ++a) sources_.push_back(set_.x[a]);
+    for (const int c : components_) sources_.push_back(state[c]);
+    if (inverse_rho) sources_.push_back(inverse_rho);
+    const long n = set_.layout.particles() + set_.walls.count() + set_.mirrors.count();
+    parts_.resize((sources_.size() + 3) / 4);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        const int count = int(std::min<std::size_t>(4, sources_.size() - 4 * k));
+        parts_[k].resize(count, n);
+        in_blocks(set_.threads, n, [&](long begin, long end) { parts_[k].fill(sources_.data() + 4 * k, count, begin, end); });
+    }
+}
+
+PairValues::PairValues(const PairSet& set, const PairFields& fields) : set_(set), fields_(fields) {
     computed_.slope.resize(set.scene.kernels.size());
     slope_.resize(set.scene.kernels.size());
     weight_.resize(set.scene.kernels.size());
     int last = set.components.count;
-    for (const int c : components) last = std::max(last, c + 1);
+    for (const int c : fields.components()) last = std::max(last, c + 1);
     own_.resize(std::size_t(last) + 1);
     other_.resize(own_.size());
 }
@@ -41,14 +48,10 @@ double* PairValues::room(Array& array) const {
     return array.data();
 }
 
-void PairValues::begin(const double* const* state, const double* inverse_rho) {
-    state_ = state;
-    inverse_rho_ = inverse_rho;
-}
-
 void PairValues::start(const PairTile& tile) {
     tile_ = &tile;
-    pack_tile();
+    make_room();
+    pack();
     if (set_.kept) {
         point_to(*set_.kept, tile.base);
     } else {
@@ -64,14 +67,63 @@ void PairValues::point_to(const PairGeometry& geometry, std::int64_t offset) {
     for (std::size_t i = 0; i < slope_.size(); ++i) slope_[i] = geometry.slope[i].data() + offset;
 }
 
-void PairValues::pack_tile() {
-    packings_.clear();
-    for (int a = 0; a < set_.scene.box.dimension && !set_.kept; ++a)
-        packings_.push_back({set_.x[a], nullptr, room(computed_.r[a])});
-    for (const int c : components_)
-        packings_.push_back({state_[c], room(own_[std::size_t(c)]), room(other_[std::size_t(c)])});
-    if (inverse_rho_) packings_.push_back({inverse_rho_, room(own_.back()), room(other_.back())});
-    pack(*tile_, packings_);
+void PairValues::make_room() {
+    own_of_.clear();
+    other_of_.clear();
+    const auto add = [&](double* own, double* other) {
+        own_of_.push_back(own);
+        other_of_.push_back(other);
+    };
+    for (int a = 0; a < set_.scene.box.dimension && !set_.kept; ++a) add(nullptr, room(computed_.r[a]));
+    for (const int c : fields_.components()) add(room(own_[std::size_t(c)]), room(other_[std::size_t(c)]));
+    if (fields_.has_inverse_rho()) add(room(own_.back()), room(other_.back()));
+    while (other_of_.size() % 4 == 3) add(room(unused_), room(unused_));    // a part of four has three fields
+}
+
+/// The first part may begin with positions.
+void PairValues::pack() {
+    for (std::size_t k = 0; k < fields_.parts().size(); ++k) {
+        const int width = fields_.parts()[k].width, positions = k == 0 && !set_.kept ? set_.scene.box.dimension : 0;
+        const auto pack_as = [&]<int W>(std::integral_constant<int, W>) {
+            switch (positions) {
+                case 0: return pack_part<W, 0>(k);
+                case 1: return pack_part<W, std::min(W, 1)>(k);
+                case 2: return pack_part<W, std::min(W, 2)>(k);
+                default: return pack_part<W, std::min(W, 3)>(k);
+            }
+        };
+        if (width == 1)
+            pack_as(std::integral_constant<int, 1>{});
+        else if (width == 2)
+            pack_as(std::integral_constant<int, 2>{});
+        else
+            pack_as(std::integral_constant<int, 4>{});
+    }
+}
+
+/// W fields, the first `positions` of them as separations. Row by row in whole vectors: what one writes beyond its row the next overwrites.
+template <int W, int positions>
+void PairValues::pack_part(std::size_t part) const {
+    const double* values = fields_.parts()[part].values.data();
+    double *own[W], *other[W];
+    for (int c = 0; c < W; ++c) {
+        own[c] = own_of_[4 * part + std::size_t(c)];
+        other[c] = other_of_[4 * part + std::size_t(c)];
+    }
+    const std::int32_t* j = tile_->j;
+    tile_->for_rows([&](long i, int first, int last) {
+        Lane mine[W];
+        for (int c = 0; c < W; ++c) mine[c] = values[W * i + c] - Lane{};
+        for (int k = first; k < last; k += lanes) {
+            Lane f[W];
+            take<W>(values, j + k, f);
+#pragma GCC unroll 4
+            for (int c = 0; c < W; ++c) {
+                if (c >= positions) store(own[c] + k, mine[c]);
+                store(other[c] + k, c < positions ? mine[c] - f[c] : f[c]);
+            }
+        }
+    });
 }
 
 void PairValues::compute_geometry() {
@@ -79,8 +131,8 @@ void PairValues::compute_geometry() {
     double *__restrict r2 = room(computed_.r2), *__restrict distance = room(distance_);
     for (int a = 0; a < d; ++a) {
         double* __restrict ra = computed_.r[a].data();
-        if (const double period = set_.list.period(a); period > 0)
-            for (int k = 0; k < n; ++k) ra[k] -= period * std::nearbyint(ra[k] / period);
+        const Period period = set_.list.period(a);
+        for (int k = 0; k < n; ++k) ra[k] = period.nearest(ra[k]);
         for (int k = 0; k < n; ++k) r2[k] = a == 0 ? ra[k] * ra[k] : r2[k] + ra[k] * ra[k];
     }
     for (int k = 0; k < n; ++k) distance[k] = std::sqrt(r2[k]);
@@ -91,7 +143,7 @@ void PairValues::compute_geometry() {
 }
 
 void PairValues::weigh(double* __restrict weight, const double* __restrict slope) const {
-    if (!inverse_rho_) {
+    if (!fields_.has_inverse_rho()) {
         for (int k = 0; k < n(); ++k) weight[k] = set_.volume * slope[k];
         return;
     }
@@ -107,7 +159,9 @@ PairGeometry keep_geometry(const PairSet& set) {
     for (int a = 0; a < d; ++a) all.r[a] = Array(pairs);
     all.r2 = Array(pairs);
     for (std::size_t i = 0; i < set.scene.kernels.size(); ++i) all.slope.emplace_back(pairs);
-    PairValues values(set, {});
+    PairFields positions(set, {});
+    positions.fill(nullptr, nullptr);
+    PairValues values(set, positions);
     PairTile tile;
     for (long k = 0; k < tiles(set); ++k) {
         take_tile(set, k, tile);

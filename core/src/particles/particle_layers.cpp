@@ -31,12 +31,17 @@ void ParticleSystem::damp(double dt) {
     for (int c = 0; c < fields; ++c) {
         double* field = store_.array(abi::state, c);
         const double rest = components_.rest(c);
-        in_blocks(threads_, long(layers_.size()), [&](long begin, long end) {
+        const auto share = [&](long begin, long end) {
             for (long i = begin; i < end; ++i) {
                 double& value = field[layers_[std::size_t(i)].at];
                 value = rest + layers_[std::size_t(i)].factor * (value - rest);
             }
-        });
+        };
+        const long n = long(layers_.size());
+        if (const LatticeTiles* tiles = tier_->tiles())
+            tiles->for_entries(threads_, n, [this](long i) { return layers_[std::size_t(i)].at; }, share);
+        else
+            in_blocks(threads_, n, share);
     }
 }
 

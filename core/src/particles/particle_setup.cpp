@@ -31,6 +31,12 @@ void ParticleSystem::set_initial_fields() {
     }
 }
 
+double ParticleSystem::value(const char* variable, long particle) {
+    const Layout& l = layout();
+    const long row = particle / l.count[0];
+    return field(components_.first[std::size_t(scene_.equations.find(variable))])[l.row(row) + particle % l.count[0]];
+}
+
 void ParticleSystem::initialise(double dt) {
     tier_->restart();
     flow_ = WallFlow(scene_, media_, layout(), threads_, dt);

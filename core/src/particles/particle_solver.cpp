@@ -26,6 +26,7 @@ public:
         scene_.integrator->begin(system_, dt);
         system_.forget_walls();
         system_.start_budget(energy(abi::Stagger::none));    // beyond its limit a staggered scheme's own may be negative
+        if (scene_.active == Active::automatic) let_sleep();
     }
     void step() override {
         scene_.integrator->step(system_, {index_, time(), dt_});
@@ -37,6 +38,13 @@ public:
     const char* tier() const override { return system_.tier().name(); }
     double neighbours_mean() const override { return system_.tier().neighbours_mean(); }
     double memory_bytes() const override { return system_.bytes(); }
+
+    double pressure(long point) override { return system_.value("p", point); }
+    abi::Activity activity() const override {
+        abi::Activity activity = system_.activity();
+        if (all_because_[0]) activity.all_because = all_because_;
+        return activity;
+    }
 
     abi::Snapshot snapshot() override {
         const long n = system_.particles();
@@ -61,6 +69,25 @@ public:
     }
 
 private:
+    /// Errors grow as the scheme's states do: those of the staggered energy by up to (1 + s)/(1 - s) of it, s = dt/dt_limit, and
+    /// no faster than one by one at the limit; those of an integrator without one as its worst mode.
+    void let_sleep() {
+        const double steps = std::max(1.0, std::round(scene_.until / dt_)), s = dt_ / limit_.dt;
+        if (!(s <= 1 + 1e-9)) {
+            all_because_ = "the step is beyond the stable limit";
+            return;
+        }
+        const double exponent = limit_.weak ? steps * std::log(amplification(scene_, dt_)) : 0;
+        constexpr double most = 20;
+        if (exponent > most) {
+            all_because_ = "the integrator's worst mode grows by more than e^20";
+            return;
+        }
+        const double growth = limit_.weak ? std::exp(exponent) : std::min(std::sqrt((1 + s) / std::max(1 - s, 1e-300)), 1 + steps);
+        constexpr double usual = 2.83;    // largest omega dt of any integrator
+        system_.let_sleep({dt_, long(steps), limit_.frequency > 0 ? limit_.frequency : usual / dt_, growth});
+    }
+
     double energy(abi::Stagger stagger) {
         const abi::Snapshot shot = snapshot();
         const int u = scene_.equations.find("u");
@@ -92,6 +119,7 @@ private:
     ParticleSystem system_;
     StepLimit limit_;
     double dt_ = 0;
+    const char* all_because_ = "";    ///< why no particle may stand still
     long index_ = 0;
     std::vector<double> p_, u_[3], rate_;
     std::vector<double> weight_;    ///< of each particle in the energy

@@ -61,6 +61,7 @@ void ParticleSystem::close_step(double t, double dt) {
     if (smoothing_ || flow_.any()) treat_pressure(t, dt);
     budget_.added(supply_, dt);
     supply_ = 0;
+    watch_step();
 }
 
 }    // namespace sphonic

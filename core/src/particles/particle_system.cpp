@@ -112,13 +112,20 @@ void ParticleSystem::evaluate(Part& part, double t, abi::Slot out, double scale,
     if (part.positions) move(out, scale, assign);
 }
 
+template <class Block>
+void ParticleSystem::in_stepped(Block block) const {
+    const LatticeTiles* tiles = tier_->tiles();
+    if (!tiles || tiles->all()) return in_blocks(threads_, layout().size, block);
+    tiles->for_stretches(threads_, [&](const LatticeTiles::Stretch& s) { block(s.offset, s.offset + s.n); });
+}
+
 /// The rate of the positions.
 void ParticleSystem::move(abi::Slot out, double scale, bool assign) {
     const int u = components_.first[std::size_t(scene_.equations.velocity)];
     for (int a = 0; a < scene_.box.dimension; ++a) {
         const double* velocity = state_arrays_[std::size_t(u + a)];
         double* target = store_.array(out, components_.positions + a);
-        in_blocks(threads_, layout().size, [=](long begin, long end) {
+        in_stepped([=](long begin, long end) {
             const double* __restrict from = velocity;
             double* __restrict to = target;
             for (long i = begin; i < end; ++i) to[i] = (assign ? 0 : to[i]) + scale * from[i];
@@ -126,7 +133,10 @@ void ParticleSystem::move(abi::Slot out, double scale, bool assign) {
     }
 }
 
-void ParticleSystem::rate(abi::Group group, double t, abi::Slot out) { evaluate(part(group), t, out, 1, true); }
+void ParticleSystem::rate(abi::Group group, double t, abi::Slot out) {
+    note_evaluation(part(group));
+    evaluate(part(group), t, out, 1, true);
+}
 
 void ParticleSystem::rate_of(int variable, double t, abi::Slot out) {
     Part single = make_part({variable}, false);
@@ -135,7 +145,10 @@ void ParticleSystem::rate_of(int variable, double t, abi::Slot out) {
 
 void ParticleSystem::advance(abi::Group group, double t, double dt) {
     Part& p = part(group);
-    if (!p.reads_itself) return evaluate(p, t, abi::state, dt, false);
+    if (!p.reads_itself) {
+        note_evaluation(p);
+        return evaluate(p, t, abi::state, dt, false);
+    }
     const abi::Slot scratch = store_.history("core: rate");
     rate(group, t, scratch);
     axpy(group, dt, scratch, abi::state);
@@ -146,7 +159,7 @@ void ParticleSystem::copy(abi::Group group, abi::Slot from, abi::Slot to) {
     const auto one = [&](int c) {
         const double* source = store_.array(from, c);
         double* target = store_.array(to, c);
-        in_blocks(threads_, layout().size, [=](long begin, long end) { std::copy(source + begin, source + end, target + begin); });
+        in_stepped([=](long begin, long end) { std::copy(source + begin, source + end, target + begin); });
     };
     for (const int c : p.components) one(c);
     for (int a = 0; p.positions && a < scene_.box.dimension; ++a) one(components_.positions + a);
@@ -157,7 +170,7 @@ void ParticleSystem::axpy(abi::Group group, double a, abi::Slot x, abi::Slot y) 
     const auto one = [&](int c) {
         const double* added = store_.array(x, c);
         double* target = store_.array(y, c);
-        in_blocks(threads_, layout().size, [=](long begin, long end) {
+        in_stepped([=](long begin, long end) {
             const double* __restrict from = added;
             double* __restrict to = target;
             for (long i = begin; i < end; ++i) to[i] += a * from[i];
@@ -187,9 +200,11 @@ void ParticleSystem::refresh_algebraic(const Part& changed, double t) {
         if (std::find(changed.variables.begin(), changed.variables.end(), evolved_behind(v)) == changed.variables.end()) continue;
         double* y = store_.array(abi::state, components_.first[std::size_t(v)]);
         const double* x = field(components_.first[std::size_t(variable.of)]);
-        in_row_blocks(threads_, layout(), [&](long, long at, long, long n) {
-            variable.state->evaluate(scene_.medium, int(n), x + at, y + at);
-        });
+        const auto evaluate = [&](long at, long n) { variable.state->evaluate(scene_.medium, int(n), x + at, y + at); };
+        if (const LatticeTiles* tiles = tier_->tiles())
+            tiles->for_stretches(threads_, [&](const LatticeTiles::Stretch& s) { evaluate(s.offset, s.n); });
+        else
+            in_row_blocks(threads_, layout(), [&](long, long at, long, long n) { evaluate(at, n); });
         tier_->fill_ghosts(components_.first[std::size_t(v)], y, field(components_.first[std::size_t(pressure_)]), t);
     }
 }

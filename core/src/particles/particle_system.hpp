@@ -3,15 +3,18 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <sphonic/case.hpp>
+#include <sphonic/plugin/abi/method.hpp>
 #include <sphonic/plugin/energy_budget.hpp>
 
 #include "sites.hpp"
 #include "source_members.hpp"
 #include "store.hpp"
 #include "tier.hpp"
+#include "wake.hpp"
 #include "wall_flow.hpp"
 #include "wall_smoothing.hpp"
 
@@ -34,12 +37,23 @@ public:
     void initialise(double dt);
     /// The present state is that of t = 0: walls with memory begin with it.
     void forget_walls();
+    /// Steps of a run, the largest frequency [1/s] of the set, and by how much errors grow in the run.
+    struct StepFacts {
+        double dt;
+        long count;
+        double frequency, growth;
+    };
+    /// From now on, what no sound has reached stands still, and what can no longer matter to what is asked for. Before the first step.
+    void let_sleep(const StepFacts& step);
+    abi::Activity activity() const;
 
     const Tier& tier() const { return *tier_; }
     const Layout& layout() const { return tier_->layout(); }
     long particles() const { return layout().particles(); }
     /// Field of a component in a slot, in the tier's layout.
     const double* field(int component, abi::Slot slot = abi::state) { return store_.array(slot, component); }
+    /// Of the first component of a variable, at a particle in their order.
+    double value(const char* variable, long particle);
     const ParticleMedia& media() const { return media_; }
     /// That of its first particle.
     int medium_of_source(std::size_t i) const { return sources_[i].media()[0]; }
@@ -110,6 +124,10 @@ private:
     bool supplied_ = false;         ///< a source adds to rates
     EnergyBudget budget_;
     std::vector<int> algebraic_;    ///< in order of evaluation
+    std::unique_ptr<Wake> wake_;        ///< where some particles may stand still
+    std::string all_because_;           ///< why none may
+    long planned_[2] = {0, 0};          ///< evaluations of the first step and of any other
+    long evaluations_ = 0, steps_done_ = 0;
     std::vector<const double*> state_arrays_;
     std::vector<double*> out_arrays_;
 
@@ -139,6 +157,16 @@ private:
     void treat_pressure(double t, double dt);
     /// That of a source's i-th particle.
     const abi::Medium& medium(const SourceMembers& source, std::size_t i) const { return media_.list()[std::size_t(source.media()[i])]; }
+    double at_rest(int variable) const;
+    std::string restless() const;
+    std::vector<char> asked_for() const;
+    long through_walls() const;
+    double contrast() const;
+    void note_evaluation(const Part& part);
+    void watch_step();
+    /// Calls block(begin, end) over the places in a field of what is stepped.
+    template <class Block>
+    void in_stepped(Block block) const;
     void set_initial_fields();
     void refresh_algebraic(const Part& changed, double t);
 };

@@ -11,6 +11,8 @@
 
 namespace sphonic {
 
+class LatticeTiles;
+
 /// Components of the equations' variables in a store: variable v has components first[v] ... ; positions, if any, are last.
 struct Components {
     explicit Components(const Case& scene);
@@ -63,6 +65,10 @@ public:
     /// Positions changed; `x` by axis.
     virtual void moved(const double* const* x) = 0;
     virtual double neighbours_mean() const = 0;
+    /// Where particles may stand still: which of them do. Else null.
+    virtual LatticeTiles* tiles() { return nullptr; }
+    /// How far away the farthest neighbour is, where tiles may stand still [dx].
+    virtual double farthest() const { return 0; }
     /// No rate at which fitted weights damp is larger [1/s].
     virtual double damping() const { return 0; }
     virtual double bytes() const = 0;

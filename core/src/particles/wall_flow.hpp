@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -22,6 +23,12 @@ public:
     WallFlow(const Case& scene, const ParticleMedia& media, const Layout& layout, int threads, double dt);
 
     bool any() const { return !faces_.empty(); }
+    /// Particles along the normal that a wall reads and changes.
+    long depth() const {
+        long most = 0;
+        for (const Face& f : faces_) most = std::max(most, long(f.put.size()));
+        return most;
+    }
     /// Takes the walls' pressure as it is now.
     void begin(const double* field, double rest);
     /// The walls' pressure at the end of the last step.

@@ -147,6 +147,7 @@ void read_time(Case& scene, Section& root, Registry& registry) {
     section.finish();
     root.resolved["integrator"] = section.resolved;
     scene.until = root.real(common_key("case", "until"));
+    scene.active = std::string(root.read(common_key("case", "active")).text) == "all" ? Active::all : Active::automatic;
 }
 
 void read_output(Case& scene, Section& root) {
@@ -165,6 +166,9 @@ void read_output(Case& scene, Section& root) {
         }
         section.resolved["probes"] = *probes;
     }
+    scene.output.fields = section.read(common_key("output", "fields")).boolean;
+    if (!scene.output.fields && scene.output.probes.empty() && !scene.reference)
+        section.fail("fields", "false leaves nothing to ask for", "Give probes or a reference, or leave it out");
     section.finish();
     root.resolved["output"] = section.resolved;
 }

@@ -23,6 +23,9 @@ abi::ParameterInfo number(const char* name, const char* unit, double lower, doub
 abi::ParameterInfo text(const char* name, const char* choices, const char* doc, const char* initial = "") {
     return {name, "1", 0, 0, doc, choices, {.type = Type::text, .text = initial}};
 }
+abi::ParameterInfo flag(const char* name, const char* doc, bool initial) {
+    return {name, "1", 0, 0, doc, "", {.type = Type::boolean, .boolean = initial}};
+}
 abi::ParameterInfo integer(const char* name, double lower, double upper, const char* doc, std::int64_t initial) {
     return {name, "1", lower, upper, doc, "", {.type = Type::integer, .integer = initial}};
 }
@@ -48,10 +51,13 @@ const Tables& tables() {
           text("courant_length", "dx|h", "length in the Courant number", "dx"),
           number("safety", "1", positive, 1, "fraction of the computed stable step", 0.9),
           text("unstable", "refuse|allow", "what to do with a step beyond the limit", "refuse")}},
-        {"case", {number("until", "s", positive, infinite, "end of the run")}},
+        {"case",
+         {number("until", "s", positive, infinite, "end of the run"),
+          text("active", "auto|all", "which particles are stepped: auto leaves out what no sound has reached and what can no longer matter", "auto")}},
         {"medium", {number("c0", "m/s", positive, infinite, "sound speed"), number("rho0", "kg/m^3", positive, infinite, "density at rest"),
           text("region", "", "of a list of media: condition on x, y, z, r; the first medium fills the box")}},
-        {"output", {number("every", "s", 0, infinite, "interval of probe samples; 0 is every step", 0)}},
+        {"output", {number("every", "s", 0, infinite, "interval of probe samples; 0 is every step", 0),
+          flag("fields", "the whole set at the end; without it, only probes and the reference's region", true)}},
         {"boundary", {text("face", "", "x_min ... z_max, an axis x, y, z, or all")}},
         {"shape",
          {text("wall", "rigid|soft|free", "what the surface does: u.n = 0, p = 0, or nothing, with only the particles cut out", "rigid"),

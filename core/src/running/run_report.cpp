@@ -61,9 +61,10 @@ void write_results(const Case& scene, Simulation& simulation, const ResultFolder
     const Profile profile = summary.diverged ? simulation.last_good() : simulation.profile();
     folder.write("resolved.json", json_text(*scene.resolved));
     folder.write("summary.json", json_text(to_json(summary)));
-    folder.write("profile.csv", profile_csv(profile, scene.box.dimension));
-    bool drawn = draw(pressure_chart(scene, summary, profile), folder.path() / "pressure");
-    if (scene.box.dimension > 1) drawn = draw(field_chart(scene, summary, profile), folder.path() / "field") && drawn;
+    const bool fields = scene.output.fields;
+    if (fields) folder.write("profile.csv", profile_csv(profile, scene.box.dimension));
+    bool drawn = !fields || draw(pressure_chart(scene, summary, profile), folder.path() / "pressure");
+    if (fields && scene.box.dimension > 1) drawn = draw(field_chart(scene, summary, profile), folder.path() / "field") && drawn;
     if (!simulation.probes().p.empty()) {
         folder.write("probes.csv", probes_csv(simulation.probes()));
         drawn = draw(probe_chart(scene, simulation.probes()), folder.path() / "probes") && drawn;

@@ -133,11 +133,12 @@ void Simulation::find_probes() {
 
 void Simulation::sample() {
     if (probe_particles_.empty()) return;
-    const abi::Snapshot shot = solver_->snapshot();
     probes_.t.push_back(solver_->time());
+    for (std::size_t k = 0; k < probe_particles_.size(); ++k) probes_.p[k].push_back(solver_->pressure(probe_particles_[k]));
+    if (!scene_.reference) return;
+    const abi::Snapshot shot = solver_->snapshot();
     for (std::size_t k = 0; k < probe_particles_.size(); ++k) {
         const long i = probe_particles_[k];
-        probes_.p[k].push_back(shot.p[i]);
         abi::Points point{.dimension = scene_.box.dimension, .n = 1};
         for (int a = 0; a < scene_.box.dimension; ++a) point.x[a] = shot.points.x[a] + i;
         for (const double p : exact_pressure(scene_, solver_->time(), point)) probes_.exact[k].push_back(p);
@@ -179,9 +180,13 @@ void Simulation::run(const std::function<void(const Progress&)>& progress) {
     }
     summary_.t = solver_->time();
     summary_.last_good_t = sentinel_->last_good().t;
-    summary_.particle_steps = double(summary_.particles) * std::round(summary_.t / summary_.dt);
+    const abi::Activity activity = solver_->activity();
+    summary_.ideal_particle_steps = activity.ideal_steps;
+    summary_.asleep_error = activity.error_bound;
+    summary_.all_because = activity.all_because;
+    summary_.particle_steps = activity.particle_steps >= 0 ? activity.particle_steps : double(summary_.particles) * std::round(summary_.t / summary_.dt);
     summary_.memory_bytes = solver_->memory_bytes();
-    summary_.energy_final = solver_->energy();
+    summary_.energy_final = scene_.output.fields ? solver_->energy() : std::numeric_limits<double>::quiet_NaN();
     if (scene_.reference && !summary_.diverged) summary_.errors = measure();
     if (summary_.diverged || beyond_linear_at_start_) return;
     if (const auto loud = beyond_linear(scene_, solver_->snapshot())) summary_.warnings.push_back(*loud);
@@ -194,6 +199,10 @@ Profile Simulation::profile() {
     for (int a = 0; a < scene_.box.dimension; ++a) out.x[a].assign(shot.points.x[a], shot.points.x[a] + shot.points.n);
     out.p.assign(shot.p, shot.p + shot.points.n);
     complete(out);
+    const bool probes_only = !scene_.output.fields && !scene_.reference;
+    for (std::size_t i = 0; i < out.p.size() && !scene_.output.fields; ++i)
+        if (probes_only || !in_region_[i]) out.p[i] = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t k = 0; k < probe_particles_.size(); ++k) out.p[std::size_t(probe_particles_[k])] = shot.p[probe_particles_[k]];
     return out;
 }
 

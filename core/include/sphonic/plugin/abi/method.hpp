@@ -14,6 +14,14 @@ struct Snapshot {
     const double* u[3] = {nullptr, nullptr, nullptr};    ///< [m/s] at the points
 };
 
+/// How much of a set was stepped, and what that leaves out.
+struct Activity {
+    double particle_steps = -1;    ///< so far; negative: all
+    double ideal_steps = -1;       ///< in the whole run, if only sound at the speed c0 that matters in the end were stepped; negative: all
+    double error_bound = 0;        ///< what the rest can have changed so far, over the largest amplitude
+    const char* all_because = "";  ///< why all is stepped where less was wanted
+};
+
 /// A discretised scene in time.
 class Solver {
 public:
@@ -28,6 +36,9 @@ public:
     virtual void step() = 0;
     virtual double time() const = 0;
     virtual Snapshot snapshot() = 0;
+    /// Pressure [Pa] at one of the snapshot's points.
+    virtual double pressure(long point) { return snapshot().p[point]; }
+    virtual Activity activity() const { return {}; }
     /// The scheme's own discrete energy [J/m^(3-d)].
     virtual double energy() = 0;
     /// The initial energy and the most that sources can have put in so far: a stable run stays below. Infinity if not known.
