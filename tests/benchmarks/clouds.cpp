@@ -53,6 +53,9 @@ void moving_2d(benchmark::State& state) { steps(state, lattice(2, 256, 1.3, {lag
 void moving_3d(benchmark::State& state) { steps(state, lattice(3, 40, 1.3, {lagrangian})); }
 void moving_2d_both_sides_monaghan(benchmark::State& state) { both_sides(state, lattice(2, 256, 1.3, {monaghan, lagrangian})); }
 void moving_3d_both_sides_monaghan(benchmark::State& state) { both_sides(state, lattice(3, 40, 1.3, {monaghan, lagrangian})); }
+const std::string densities = "/equations=lagrangian_acoustics";
+void moving_2d_both_sides_densities_monaghan(benchmark::State& state) { both_sides(state, lattice(2, 256, 1.3, {monaghan, lagrangian, densities})); }
+void moving_3d_both_sides_densities_monaghan(benchmark::State& state) { both_sides(state, lattice(3, 40, 1.3, {monaghan, lagrangian, densities})); }
 
 }    // namespace
 
@@ -73,3 +76,5 @@ BENCHMARK(moving_2d);
 BENCHMARK(moving_3d);
 BENCHMARK(moving_2d_both_sides_monaghan);
 BENCHMARK(moving_3d_both_sides_monaghan);
+BENCHMARK(moving_2d_both_sides_densities_monaghan);
+BENCHMARK(moving_3d_both_sides_densities_monaghan);

@@ -96,7 +96,7 @@ public:
     }
 
     void evaluate(const Evaluation& e) override {
-        if (inverse_rho_.data()) invert(e.state[set_.components.first[std::size_t(set_.density())]], inverse_rho_.data());
+        if (inverse_rho_.data()) invert(set_.threads, set_.layout.size, e.state[set_.components.first[std::size_t(set_.density())]], inverse_rho_.data());
         for (const auto& corrections : corrections_)
             if (corrections) corrections->compute(inverse_rho_.data());
         if (e.terms != Terms::dissipation_only) evaluate_shares(e);
@@ -117,14 +117,6 @@ private:
         fields_->fill(e.state, inverse_rho_.data());
         in_parallel(set_.threads, threads, [&](long t) {
             workers_[std::size_t(t)].evaluate(e, n * t / threads, n * (t + 1) / threads);
-        });
-    }
-
-    void invert(const double* rho, double* inverse) const {
-        in_blocks(set_.threads, set_.layout.size, [=](long begin, long end) {
-            const double* __restrict from = rho;
-            double* __restrict to = inverse;
-            for (long i = begin; i < end; ++i) to[i] = 1 / from[i];
         });
     }
 };

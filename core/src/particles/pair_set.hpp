@@ -46,6 +46,9 @@ struct PairSet {
 void take_tile(const PairSet& set, long i, PairTile& tile);
 inline long tiles(const PairSet& set) { return set.near.tiles(); }
 
+/// 1/rho of n particles.
+void invert(int threads, long n, const double* rho, double* inverse);
+
 /// What pairs take from their particles: positions, some components of a state, and 1/rho where the set has a current density.
 class PairFields {
 public:

@@ -17,6 +17,14 @@ void take_tile(const PairSet& set, long i, PairTile& tile) {
     tile.n = tile.first[tile.rows];
 }
 
+void invert(int threads, long n, const double* rho, double* inverse) {
+    in_blocks(threads, n, [=](long begin, long end) {
+        const double* __restrict from = rho;
+        double* __restrict to = inverse;
+        for (long i = begin; i < end; ++i) to[i] = 1 / from[i];
+    });
+}
+
 void PairFields::fill(const double* const* state, const double* inverse_rho) {
     inverse_rho_ = inverse_rho;
     sources_.clear();
