@@ -58,6 +58,7 @@ int list(const Common& options);
 int describe(const DescribeOptions& options);
 int schema(const Common& options);
 int kernel(const KernelOptions& options);
+int calibrate(const Common& options);
 /// `folder` empty: the kind's own folder in the source tree around the current one.
 int new_plugin(const Common& options, const std::string& kind, const std::string& name, const std::filesystem::path& folder);
 

@@ -86,6 +86,12 @@ void add_atlas_command(CLI::App& app, Arguments& a) {
     command->callback([&a] { a.result = atlas(a.atlas); });
 }
 
+void add_calibrate_command(CLI::App& app, Arguments& a) {
+    auto* command = app.add_subcommand("calibrate", "measure what steps cost on this machine, for predictions of CPU time");
+    add_common(*command, a.described);
+    command->callback([&a] { a.result = calibrate(a.described); });
+}
+
 void add_plugin_commands(CLI::App& app, Arguments& a) {
     auto* list_command = app.add_subcommand("list", "all plugins found");
     add_common(*list_command, a.options);
@@ -130,6 +136,7 @@ int main(int argc, char** argv) {
     add_case_commands(app, arguments);
     add_stability_command(app, arguments);
     add_atlas_command(app, arguments);
+    add_calibrate_command(app, arguments);
     add_plugin_commands(app, arguments);
     try {
         app.parse(argc, argv);
@@ -141,7 +148,7 @@ int main(int argc, char** argv) {
             app.exit(e, std::cout, std::cerr);
             return int(sphonic::Fault::input);
         }
-        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, stability, atlas, list, describe, kernel, schema, new");
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, stability, atlas, calibrate, list, describe, kernel, schema, new");
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include <sphonic/prediction.hpp>
 #include <sphonic/simulation.hpp>
 
 #include "scenes.hpp"
@@ -60,6 +61,7 @@ inline void steps(benchmark::State& state, Case from) {
     nanoseconds_per(state, "particle-step", double(summary.particles));
     nanoseconds_per(state, "pair", double(summary.particles) * summary.neighbours_mean);
     state.counters["neighbours"] = summary.neighbours_mean;
+    state.counters["predicted"] = 1e9 * predict(scene, summary).cpu_s / (double(summary.particles) * double(summary.steps));
     floor_of(state, floor_of(scene, summary));
 }
 

@@ -67,8 +67,8 @@ def main():
         document = json.load(file)
     rows = medians(document)
     print(f"{processor()}, commit {sys.argv[2]}, one thread, double precision\n")
-    print("| benchmark | ns | per | times plain FDTD | share of roofline | target | measured / target |")
-    print("|---|---|---|---|---|---|---|")
+    print("| benchmark | ns | per | times plain FDTD | share of roofline | predicted / measured | target | measured / target |")
+    print("|---|---|---|---|---|---|---|---|")
     for name, row in rows.items():
         ns, unit = cost(name, row)
         dimension = next((d for d in ("1d", "2d", "3d") if "_" + d in name), None)
@@ -76,8 +76,9 @@ def main():
         times = f"{ns / cost('', fdtd)[0]:.2f}" if fdtd and unit == "particle-step" else ""
         floor = roofline(row, rows)
         share = f"{floor / ns:.2f}" if floor else ""
+        predicted = f"{row['predicted'] / row['ns/particle-step']:.2f}" if "predicted" in row else ""
         ratio, limit = target(name, ns, rows)
-        print(f"| {name} | {ns:.3g} | {unit} | {times} | {share} | {limit} | {ratio} |")
+        print(f"| {name} | {ns:.3g} | {unit} | {times} | {share} | {predicted} | {limit} | {ratio} |")
 
 
 main()

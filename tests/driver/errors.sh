@@ -20,6 +20,7 @@ cd -- "$scratch"
 unset SPHONIC_PLUGIN_PATH
 mkdir parent plugins
 
+export XDG_CACHE_HOME=$PWD/cache    # not what this machine was once found to be
 cat >case.json <<'CASE'
 {
   "title": "A short wave",
@@ -115,6 +116,8 @@ source "$repository/tests/driver/errors_at_obstacles.sh"
 source "$repository/tests/driver/errors_in_outputs.sh"
 # shellcheck source=tests/driver/errors_in_atlas.sh
 source "$repository/tests/driver/errors_in_atlas.sh"
+# shellcheck source=tests/driver/calibrate.sh
+source "$repository/tests/driver/calibrate.sh"
 
 ((failures == 0)) || { echo "$failures checks failed"; exit 1; }
 echo "all checks passed"

@@ -19,6 +19,23 @@ double clock_seconds(clockid_t clock) {
 
 }    // namespace
 
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+    return "unknown";
+}
+
+double last_cache() {
+    double kilobytes = 0;
+    for (int level = 0; level < 8; ++level) {
+        std::ifstream file("/sys/devices/system/cpu/cpu0/cache/index" + std::to_string(level) + "/size");
+        double size = 0;
+        if (file >> size) kilobytes = std::max(kilobytes, size);    // "32768K"
+    }
+    return kilobytes > 0 ? 1024 * kilobytes : 32e6;
+}
+
 double available_memory() {
     std::ifstream file("/proc/meminfo");
     std::string key, unit;

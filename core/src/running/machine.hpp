@@ -1,6 +1,12 @@
 #pragma once
+#include <string>
 
 namespace sphonic {
+
+/// Name of the processor; "unknown" where the system does not tell.
+std::string processor();
+/// Size of its last level of cache [bytes]; 32 MB where the system does not tell.
+double last_cache();
 
 /// Memory that a new process could take without swapping [bytes].
 double available_memory();

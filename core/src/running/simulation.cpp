@@ -48,6 +48,7 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
     fix_step();
     try {
         solver_->start(summary_.dt);
+        summary_.ideal_particle_steps = solver_->activity().ideal_steps;
     } catch (const std::invalid_argument& e) {
         throw Error(Fault::input, scene.file + ": /sources", e.what());
     }
@@ -181,7 +182,6 @@ void Simulation::run(const std::function<void(const Progress&)>& progress) {
     summary_.t = solver_->time();
     summary_.last_good_t = sentinel_->last_good().t;
     const abi::Activity activity = solver_->activity();
-    summary_.ideal_particle_steps = activity.ideal_steps;
     summary_.asleep_error = activity.error_bound;
     summary_.all_because = activity.all_because;
     summary_.particle_steps = activity.particle_steps >= 0 ? activity.particle_steps : double(summary_.particles) * std::round(summary_.t / summary_.dt);

@@ -1,43 +1,62 @@
 #include "cost.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "mode_system.hpp"
 
 namespace sphonic {
 namespace {
 
-/// Nanoseconds of one evaluation of all equations, per particle and per neighbour, without and with viscosity, by dimension.
-/// Measured on one core of an AVX-512 EPYC at 2.6 GHz with bench_steps; other machines differ in scale, hardly in ratio.
-struct Cost {
-    double fixed;
-    double per_neighbour[4], viscous[4];
-    double geometry;    ///< share of a neighbour's cost that every call pays, however few equations it evaluates
-};
-Cost cost_of(const std::string& tier) {
-    if (tier == "lattice") return {0.4, {0, 0.13, 0.12, 0.21}, {0, 0.2, 0.56, 0.95}, 0};
-    if (tier == "frozen") return {4, {0, 0.9, 2.5, 3.1}, {0, 1.5, 3.7, 4.2}, 0.1};
-    if (tier == "moving") return {10, {0, 1.8, 3.0, 3.2}, {0, 0.6, 0.7, 0.7}, 0.5};
-    if (tier == "moving, volumes too") return {10, {0, 3.6, 7.0, 8.5}, {0, 1.0, 2.0, 3.0}, 0.33};
-    if (tier == "kspace") return {28, {}, {}, 0};    // transforms to space and back in every step
-    if (tier == "kspace_modes") return {1.5, {}, {}, 0};
-    return {0.4, {0, 0, 0.15, 0.3}, {}, 0};
-}
+/// The ends of a row take the time of so many particles; a call for rates takes so long whatever the set [ns].
+constexpr double row_ends = 13, each_call = 400;
+
+/// Of what could ideally be saved where particles sleep.
+constexpr double saving = 0.8;
+
+/// Of what a pair costs, what every call for a rate pays, however few equations it evaluates.
+double geometry_share(const std::string& tier) { return tier.starts_with("moving") ? 0.4 : tier == "frozen" ? 0.1 : 0; }
+
+bool in_pairs(const std::string& tier) { return tier == "frozen"; }
 
 }    // namespace
 
-double predicted_seconds(const Case& scene, const Summary& prepared, bool viscous) {
-    const Cost cost = cost_of(prepared.tier == "moving" && scene.equations.density >= 0 ? "moving, volumes too" : prepared.tier);
-    const int d = scene.box.dimension;
-    double evaluations = 1, calls = 1;
+std::string cost_tier(const std::string& tier, const Case& scene) { return tier == "moving" && scene.equations.density >= 0 ? "moving_densities" : tier; }
+
+double footprint(const Work& work) {
+    const double fields = 8.0 * (1 + work.dimension);
+    return work.particles * (fields + (in_pairs(work.tier) ? work.neighbours * (4 + 8.0 * work.dimension) : 0));
+}
+
+double worth(const Work& work) {
+    const double geometry = geometry_share(work.tier), ends = work.tier == "lattice" ? 1 + row_ends / work.row : 1;
+    return ends * work.particles * ((1 - geometry) * work.evaluations + geometry * work.calls);
+}
+
+double step_cost(const CostModel& costs, const Work& work) {
+    const UnitCost* unit = costs.find(work.tier, work.dimension);
+    if (!unit) return 0;
+    const double cached = costs.cache / 4, outside = std::clamp(std::log(footprint(work) / cached) / std::log(costs.cache / cached), 0.0, 1.0);
+    double each = unit->fixed + work.neighbours * (unit->per_neighbour + (work.viscous ? unit->viscous : 0));
+    each += outside * unit->from_memory * (in_pairs(work.tier) ? work.neighbours : 1);
+    return each * worth(work) + each_call * work.calls;
+}
+
+double predicted_seconds(const CostModel& costs, const Case& scene, const Summary& prepared, bool viscous) {
+    Work work{.tier = cost_tier(prepared.tier, scene), .dimension = scene.box.dimension, .particles = double(prepared.particles), .viscous = viscous};
+    const double length = scene.box.upper[0] - scene.box.lower[0];
+    if (prepared.tier == "lattice") work.row = std::max(1.0, std::round(length / scene.box.dx) + (scene.box.periodic[0] ? 0 : 1));
+    if (!prepared.tier.starts_with("kspace")) work.neighbours = prepared.neighbours_mean;
     if (scene.method->meshfree()) {
         const double k[3] = {1, 0, 0};
         const Symbol A = symbol(scene, k);
         ModeSystem mode(scene, A);
         mode.one_step_map(*scene.integrator, prepared.dt);
-        evaluations = mode.evaluations(), calls = mode.rate_calls();
+        work.evaluations = mode.evaluations(), work.calls = mode.rate_calls();
     }
-    const double per_pair = cost.per_neighbour[d] + (viscous ? cost.viscous[d] : 0);
-    const double passes = (1 - cost.geometry) * evaluations + cost.geometry * calls;
-    return 1e-9 * (cost.fixed + per_pair * prepared.neighbours_mean) * passes * double(prepared.particles) * double(prepared.steps);
+    const double nominal = work.particles * double(prepared.steps), ideal = prepared.ideal_particle_steps;
+    const double asleep = ideal >= 0 ? saving * std::max(0.0, 1 - ideal / nominal) : 0;
+    return 1e-9 * step_cost(costs, work) * double(prepared.steps) * (1 - asleep);
 }
 
 }    // namespace sphonic

@@ -86,7 +86,8 @@ Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
     out.layers = layer_returns(scene);
-    out.cpu_s = predicted_seconds(scene, prepared, is_viscous(scene));
+    const CostModel& costs = present_costs();
+    out.cpu_s = predicted_seconds(costs, scene, prepared, is_viscous(scene));
     if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
     if (scene.media->several()) out.basis = "speed and l2: known for one medium only; ";
     if (scene.method->meshfree() && scene.arrangement->regular() && !scene.media->several()) {
@@ -100,7 +101,7 @@ Prediction predict(const Case& scene, const Summary& prepared) {
         predict_waves(scene, prepared, out);
     }
     warn_of_layers(scene, out);
-    out.basis += "cpu_s: cost per neighbour on the reference machine";
+    out.basis += &costs == &reference_costs() ? "cpu_s: costs of the reference machine, `sphonic calibrate` measures this one" : "cpu_s: calibrated costs of this machine";
     return out;
 }
 
