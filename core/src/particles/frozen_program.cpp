@@ -133,6 +133,7 @@ private:
     void evaluate_others(const Evaluation& e) {
         if (e.assign)
             for (const int c : still_) std::fill_n(e.out[c], set_.layout.size, 0.0);
+        for (FrozenViscosity& viscosity : viscosities_) viscosity.fill(e);
         constexpr long few = 32;    // whose weights stay in the first-level cache from term to term
         in_blocks(set_.threads, set_.layout.particles(), [&](long block, long end_of_block) {
             for (long begin = block; begin < end_of_block; begin += few) {

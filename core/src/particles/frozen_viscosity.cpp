@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pair_rows.hpp"
+#include "parallel.hpp"
 
 namespace sphonic {
 
@@ -18,6 +18,13 @@ const Array& FrozenWeightStore::separations(int kernel) {
 FrozenViscosity::FrozenViscosity(const PairSet& set, FrozenWeightStore& weights, const Term& term, std::vector<int> target)
     : set_(set), term_(term), weights_(weights.of(term.kernel, abi::Correction::none)), separation_(weights.separations(term.kernel).data()),
       target_(std::move(target)), velocity_(set.components.first[std::size_t(term.operand)]) {}
+
+void FrozenViscosity::fill(const Evaluation& e) {
+    const int d = set_.scene.box.dimension;
+    const long n = set_.layout.size;
+    velocities_.resize(d, n);
+    in_blocks(set_.threads, n, [&](long begin, long end) { velocities_.fill(e.state + velocity_, d, begin, end); });
+}
 
 void FrozenViscosity::apply(const Evaluation& e, long begin, long end) const {
     switch (set_.scene.box.dimension) {
@@ -40,30 +47,34 @@ void FrozenViscosity::apply_in(const Evaluation& e, long begin, long end) const 
 
 template <int D>
 void FrozenViscosity::apply_tile(const Evaluation& e, long begin, long end) const {
+    constexpr int width = D == 3 ? 4 : D;
     const std::int64_t *start = set_.list.start().data(), base = start[begin];
     const std::int32_t* j = set_.list.neighbour().data();
-    const int n = int(start[end] - base);
-    double local[2 * most_pairs];
-    std::vector<double> large(n > most_pairs ? std::size_t(2 * n) : 0);    // one particle with as many neighbours
-    double *u_dot_r = large.empty() ? local : large.data(), *Pi = u_dot_r + std::max<long>(n, most_pairs);
-    const double *u[D], *w[D];
-    for (int a = 0; a < D; ++a) {
-        u[a] = e.state[velocity_ + a];
-        w[a] = weights_.other[a].data();
-    }
+    const long n = start[end] - base, room = std::max(n, most_pairs) + overrun;
+    double local[2 * (most_pairs + overrun)];
+    std::vector<double> large(n > most_pairs ? std::size_t(2 * room) : 0);    // one particle with as many neighbours
+    double *u_dot_r = large.empty() ? local : large.data(), *Pi = u_dot_r + room;
+    const double *w[D], *u = velocities_.values.data();
+    for (int a = 0; a < D; ++a) w[a] = weights_.other[a].data();
     for (long i = begin; i < end; ++i)
-        for (std::int64_t k = start[i]; k < start[i + 1]; ++k) {
-            double sum = 0;
-            for (int a = 0; a < D; ++a) sum += (u[a][i] - u[a][j[k]]) * w[a][k];
-            u_dot_r[k - base] = separation_[k] * sum;
+        for (std::int64_t k = start[i]; k < start[i + 1]; k += lanes) {
+            Lane u_j[width], sum = {};
+            take<width>(u, j + k, u_j);
+            for (int a = 0; a < D; ++a) sum += (u[width * i + a] - u_j[a]) * load(w[a] + k);
+            store(u_dot_r + (k - base), sum * load(separation_ + k));
         }
     const abi::Medium& medium = set_.scene.medium;
-    term_.viscosity->pairs({.n = n, .u_dot_r = u_dot_r, .r2 = set_.kept->r2.data() + base, .h = set_.scene.kernels[std::size_t(term_.kernel)].h,
+    term_.viscosity->pairs({.n = int(n), .u_dot_r = u_dot_r, .r2 = set_.kept->r2.data() + base, .h = set_.scene.kernels[std::size_t(term_.kernel)].h,
                             .c = medium.c0, .rho = medium.rho0}, Pi);
     const double scale = -e.scale * set_.mass / set_.volume;
     for (long i = begin; i < end; ++i) {
-        const auto sum = row_sum<D>(start[i], start[i + 1], [&](std::int64_t k, int a) { return w[a][k] * Pi[k - base]; });
-        for (int a = 0; a < D; ++a) e.out[target_[std::size_t(a)]][i] += scale * sum[std::size_t(a)];
+        Lane sum[D] = {};
+        for (std::int64_t k = start[i]; k < start[i + 1]; k += lanes) {
+            const int left = int(std::min<std::int64_t>(lanes, start[i + 1] - k));
+            const Lane value = first_lanes(load(Pi + (k - base)), left);
+            for (int a = 0; a < D; ++a) sum[a] += value * first_lanes(load(w[a] + k), left);
+        }
+        for (int a = 0; a < D; ++a) e.out[target_[std::size_t(a)]][i] += scale * total(sum[a]);
     }
 }
 

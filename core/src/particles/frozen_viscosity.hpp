@@ -10,6 +10,8 @@ namespace sphonic {
 class FrozenViscosity {
 public:
     FrozenViscosity(const PairSet& set, FrozenWeightStore& weights, const Term& term, std::vector<int> target);
+    /// Takes over the velocities of an evaluation, before any rates of it.
+    void fill(const Evaluation& e);
     /// Adds to the rates of particles begin ... end - 1.
     void apply(const Evaluation& e, long begin, long end) const;
 
@@ -20,6 +22,7 @@ private:
     const double* separation_;
     std::vector<int> target_;
     int velocity_;
+    Interleaved velocities_;    ///< a pair finds all of j's components in one place
 
     static constexpr long most_pairs = 512;    ///< of one call of the plugin
 
