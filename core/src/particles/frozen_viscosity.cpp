@@ -51,21 +51,28 @@ void FrozenViscosity::apply_tile(const Evaluation& e, long begin, long end) cons
     const std::int64_t *start = set_.list.start().data(), base = start[begin];
     const std::int32_t* j = set_.list.neighbour().data();
     const long n = start[end] - base, room = std::max(n, most_pairs) + overrun;
-    double local[2 * (most_pairs + overrun)];
-    std::vector<double> large(n > most_pairs ? std::size_t(2 * room) : 0);    // one particle with as many neighbours
-    double *u_dot_r = large.empty() ? local : large.data(), *Pi = u_dot_r + room;
+    double local[3 * (most_pairs + overrun)];
+    std::vector<double> large(n > most_pairs ? std::size_t(3 * room) : 0);    // one particle with as many neighbours
+    double *u_dot_r = large.empty() ? local : large.data(), *Pi = u_dot_r + room, *r2 = Pi + room;
     const double *w[D], *u = velocities_.values.data();
     for (int a = 0; a < D; ++a) w[a] = weights_.other[a].data();
+    const double h = set_.scene.kernels[std::size_t(term_.kernel)].h;
+    const Lane least = 1e-6 * h * h - Lane{};    // pairs without a weight have no separation either
     for (long i = begin; i < end; ++i)
         for (std::int64_t k = start[i]; k < start[i + 1]; k += lanes) {
-            Lane u_j[width], sum = {};
+            Lane u_j[width], flow = {}, length2 = {};
             take<width>(u, j + k, u_j);
-            for (int a = 0; a < D; ++a) sum += (u[width * i + a] - u_j[a]) * load(w[a] + k);
-            store(u_dot_r + (k - base), sum * load(separation_ + k));
+            const Lane q = load(separation_ + k);
+            for (int a = 0; a < D; ++a) {
+                const Lane r = q * load(w[a] + k);
+                flow += (u[width * i + a] - u_j[a]) * r;
+                length2 += r * r;
+            }
+            store(u_dot_r + (k - base), flow);
+            store(r2 + (k - base), length2 > least ? length2 : least);
         }
     const abi::Medium& medium = set_.scene.medium;
-    term_.viscosity->pairs({.n = int(n), .u_dot_r = u_dot_r, .r2 = set_.kept->r2.data() + base, .h = set_.scene.kernels[std::size_t(term_.kernel)].h,
-                            .c = medium.c0, .rho = medium.rho0}, Pi);
+    term_.viscosity->pairs({.n = int(n), .u_dot_r = u_dot_r, .r2 = r2, .h = h, .c = medium.c0, .rho = medium.rho0}, Pi);
     const double scale = -e.scale * set_.mass / set_.volume;
     for (long i = begin; i < end; ++i) {
         Lane sum[D] = {};

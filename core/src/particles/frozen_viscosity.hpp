@@ -6,7 +6,7 @@
 namespace sphonic {
 
 /// A viscosity on a set that will not move, du_i/dt = -sum_j m_j Pi_ij grad_i W_ij, by the weights w_ij = V grad_i W_ij that gradients
-/// use: u_ij . r_ij is q_ij u_ij . w_ij with a kept q_ij = 1 / (V W'/r), and the sum is -rho0 sum_j Pi_ij w_ij.
+/// use: r_ij is q_ij w_ij with a kept q_ij = 1 / (V W'/r), and the sum is -rho0 sum_j Pi_ij w_ij.
 class FrozenViscosity {
 public:
     FrozenViscosity(const PairSet& set, FrozenWeightStore& weights, const Term& term, std::vector<int> target);
