@@ -19,6 +19,15 @@ struct RunOptions : Common {
     int threads = 0;    ///< 0: as many as the set is worth
 };
 
+struct StudyOptions : RunOptions {
+    int jobs = 1;            ///< points side by side
+    std::string launcher;    ///< "parallel" or "slurm": write what starts the points; empty: run them
+    int point = 0;           ///< only this one, from 1; 0: all
+    bool beside = false;     ///< a point among others that run at the same time
+    bool collect = false;    ///< run nothing: tables of what is there
+    bool report = false;     ///< one HTML page of it all
+};
+
 struct StabilityOptions : RunOptions {
     std::vector<std::string> vary;    ///< "/pointer=a:b:n", none to two
     bool spectrum = false;
@@ -51,7 +60,7 @@ struct AtlasOptions : Common {
 /// Each returns the exit code of a job that was done; errors are thrown.
 int run(const RunOptions& options);
 int check(const RunOptions& options);
-int study(const RunOptions& options);
+int study(const StudyOptions& options);
 int stability(const StabilityOptions& options);
 int atlas(const AtlasOptions& options);
 int list(const Common& options);

@@ -35,6 +35,7 @@ void add_output(CLI::App& command, RunOptions& options) {
 /// What the command line says, and the exit code of what it asked for.
 struct Arguments {
     RunOptions options;
+    StudyOptions study;
     StabilityOptions stability;
     DescribeOptions described;
     KernelOptions card;
@@ -53,11 +54,22 @@ void add_case_commands(CLI::App& app, Arguments& a) {
     auto* check_command = app.add_subcommand("check", "validate a case and predict its stable step, error and cost; runs nothing");
     add_case(*check_command, a.options, "CASE");
     check_command->callback([&a] { a.result = check(a.options); });
+}
 
-    auto* study_command = app.add_subcommand("study", "run a matrix of cases: tables and charts");
-    add_case(*study_command, a.options, "STUDY");
-    add_output(*study_command, a.options);
-    study_command->callback([&a] { a.result = study(a.options); });
+void add_study_command(CLI::App& app, Arguments& a) {
+    StudyOptions& options = a.study;
+    auto* command = app.add_subcommand("study", "run a matrix of cases: tables, charts and a report; goes on where it was interrupted");
+    add_case(*command, options, "STUDY");
+    add_output(*command, options);
+    command->add_flag("--report", options.report, "write report.html too: charts, ranked table and an interactive chart on one page");
+    command->add_option("--jobs", options.jobs, "points side by side, each a process; times are then marked as in doubt")->check(CLI::Range(1, 1024));
+    auto* launcher = command->add_option("--launcher", options.launcher, "run nothing: write the points as jobs of GNU parallel or as a Slurm array")
+        ->check(CLI::IsMember({"parallel", "slurm"}));
+    auto* point = command->add_option("--point", options.point, "run only this point, counted from 1; for launchers")->check(CLI::Range(1, 10000))->excludes(launcher);
+    command->add_flag("--beside", options.beside, "with --point: others run at the same time")->needs(point);
+    auto* collect = command->add_flag("--collect", options.collect, "run nothing: tables and charts of what the output folder holds")->excludes(launcher)->excludes(point);
+    collect->needs(command->get_option("--out"));
+    command->callback([&a] { a.result = study(a.study); });
 }
 
 void add_stability_command(CLI::App& app, Arguments& a) {
@@ -134,6 +146,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     Arguments arguments;
     add_case_commands(app, arguments);
+    add_study_command(app, arguments);
     add_stability_command(app, arguments);
     add_atlas_command(app, arguments);
     add_calibrate_command(app, arguments);

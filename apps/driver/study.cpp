@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
+#include <csignal>
 #include <iostream>
 
-#include <unistd.h>
+#include <sys/prctl.h>
 
 #include <sphonic/error.hpp>
 #include <sphonic/log.hpp>
@@ -12,58 +11,26 @@
 
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "study_bar.hpp"
+#include "study_jobs.hpp"
+#include "study_page.hpp"
 
 namespace sphonic::driver {
 namespace {
 
+namespace fs = std::filesystem;
 using Status = StudyResult::Status;
-using Clock = std::chrono::steady_clock;
 
-/// On a terminal one line that is redrawn, elsewhere one line for each point that is done.
-class StudyBar {
-public:
-    StudyBar() : terminal_(isatty(STDERR_FILENO)) {}
-    ~StudyBar() {
-        if (drawn_) std::fputs("\r\033[K", stderr);
+/// Of the same study, interrupted, or else unused.
+fs::path default_folder(const Study& study, Registry& registry) {
+    const std::string name = study.file.stem().string();
+    fs::path latest, next = fs::path("runs") / name;
+    for (int number = 2; fs::exists(next); ++number) {
+        latest = next;
+        next = fs::path("runs") / (name + "-" + std::to_string(number));
     }
-
-    void show(const StudyProgress& p) {
-        if (terminal_)
-            draw(p);
-        else if (p.result)
-            log::info(counted(p) + ": " + outcome(*p.result));
-    }
-
-    /// "3/12 NAME".
-    static std::string counted(const StudyProgress& p) {
-        return std::to_string(p.index + 1) + "/" + std::to_string(p.total) + " " + p.point.full_name();
-    }
-
-private:
-    const bool terminal_;
-    const Clock::time_point begin_ = Clock::now();
-    Clock::time_point last_{};
-    bool drawn_ = false;
-
-    static std::string outcome(const StudyResult& result) {
-        if (result.status != Status::done) return result.why;
-        char text[80];
-        std::snprintf(text, sizeof text, "%ld steps, %.3g s", result.summary.steps, result.summary.cpu_s);
-        return text;
-    }
-
-    void draw(const StudyProgress& p) {
-        const auto now = Clock::now();
-        if (now - last_ < std::chrono::milliseconds(100)) return;
-        last_ = now;
-        drawn_ = true;
-        const double spent = std::chrono::duration<double>(now - begin_).count();
-        const double done = (double(p.index) + p.fraction) / double(p.total);
-        std::fprintf(stderr, "\r\033[K%s %3.0f %%", counted(p).c_str(), 100 * p.fraction);
-        if (done > 0) std::fprintf(stderr, "  about %.0f s left", spent * (1 - done) / done);
-        std::fflush(stderr);
-    }
-};
+    return !latest.empty() && was_interrupted(study, registry, latest) ? latest : next;
+}
 
 void print(const Study& study, const std::vector<StudyResult>& results, bool as_json) {
     if (!as_json) {
@@ -84,29 +51,59 @@ int exit_code(const std::vector<StudyResult>& results) {
     return int(any(Status::refused) && !any(Status::diverged) ? Fault::input : Fault::diverged);
 }
 
-}    // namespace
-
-int study(const RunOptions& options) {
+/// Here, one run after the other.
+void run_here(const Study& study, Registry& registry, const fs::path& folder, const StudyWork& work) {
     const Interruptible interruptible;
-    Registry registry(Registry::search_path(options.plugin_path));
-    Study study = load_study(options.file, options.set);
-    if (options.threads) study.threads = options.threads;
-    const auto folder = options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out;
-    std::vector<StudyResult> results;
-    {
-        StudyBar bar;
-        results = run_study(study, registry, folder, options.force, [&](const StudyProgress& p) {
-            bar.show(p);
-            interruptible.stop_if_asked(options.file.string(), "in " + StudyBar::counted(p) + "; the points before it are kept in " + folder.string());
-        });
-    }
+    StudyBar bar;
+    run_points(study, registry, folder, work, [&](const StudyProgress& p) {
+        bar.show(p);
+        interruptible.stop_if_asked(study.file.string(), "in " + counted(p) + "; the runs before it are kept in " + folder.string() + ", and the same command goes on from there");
+    });
+}
+
+int run_one_point(const Study& study, Registry& registry, const fs::path& folder, const StudyOptions& options) {
+    const auto index = std::size_t(options.point) - 1;
+    if (index >= study.points.size())
+        throw Error(Fault::input, "--point", std::to_string(options.point) + " is not there", study.file.string() + " has " + std::to_string(study.points.size()) + " points");
+    if (options.beside) prctl(PR_SET_PDEATHSIG, SIGKILL);    // nothing is left behind by a launcher that is killed
+    open_study(study, registry, folder, false, index);
+    run_here(study, registry, folder, {.only = index, .side_by_side = options.beside});
+    return 0;
+}
+
+int tell(const Study& study, const std::vector<StudyResult>& results, const fs::path& folder, const StudyOptions& options) {
     print(study, results, options.json);
+    if (options.report) write_study_page(study, results, folder);
     log::info("results in " + folder.string());
+    if (const auto missing = std::ranges::count(results, Status::missing, &StudyResult::status))
+        log::warn(folder.string() + ": " + std::to_string(missing) + " of " + std::to_string(results.size()) + " points were not run; without --collect they are");
     if (const int code = exit_code(results)) {
         log::error(options.file.string() + ": no point came to its end; " + results[0].why);
         return code;
     }
     return 0;
+}
+
+}    // namespace
+
+int study(const StudyOptions& options) {
+    Registry registry(Registry::search_path(options.plugin_path));
+    Study study = load_study(options.file, options.set);
+    if (options.threads) study.threads = options.threads;
+    const fs::path folder = options.out.empty() ? default_folder(study, registry) : options.out;
+    if (options.point) return run_one_point(study, registry, folder, options);
+    if (options.collect && !fs::exists(folder)) throw Error(Fault::io, folder.string(), "is not there", "Give the folder of a study");
+    open_study(study, registry, folder, options.force && !options.collect);
+    if (!options.launcher.empty()) return write_jobs(study, folder, options);
+    if (!options.collect) {
+        const std::size_t before = unfinished_points(study, folder).size();
+        if (before == 0) log::info(folder.string() + " has all runs of this study already; --force makes them anew");
+        if (options.jobs > 1)
+            run_jobs(study, folder, options);
+        else
+            run_here(study, registry, folder, {});
+    }
+    return tell(study, collect_study(study, folder), folder, options);
 }
 
 }    // namespace sphonic::driver

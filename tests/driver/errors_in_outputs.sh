@@ -61,7 +61,7 @@ rm -rf runs
 echo "--- interruptions"
 sed -e 's/"until": 0.005/"until": 1e4/' case.json >long.json
 printf '{ "case": "long.json", "vary": [ { "name": "end", "pointer": "/until", "values": [0.001, 1e4] } ] }' >study.json
-# interrupted SIGNAL CODE PATTERN GLOB ARGUMENTS...: a job that is stopped once there is a path of this shape.
+# interrupted SIGNAL CODE PATTERN GLOB ARGUMENTS...: a job that is stopped once there is something at a path of this shape.
 interrupted() {
     code=0
     set -m    # jobs of scripts ignore SIGINT otherwise
@@ -69,7 +69,7 @@ interrupted() {
     set +m
     local job=$!
     for ((i = 0; i < 400; ++i)); do
-        [[ -z $(compgen -G "$4") ]] || break
+        found=$(compgen -G "$4") && [[ -s $found ]] && break
         sleep 0.05
     done
     kill -"$1" "$job"
@@ -80,8 +80,8 @@ interrupted() {
 for signal in INT:130 TERM:143 HUP:129; do
     interrupted "${signal%:*}" "${signal#*:}" 'long.json: interrupted at t = * s; nothing was written' 'parent/.out.*.part' run long.json --out parent/out
 done
-interrupted TERM 143 'study.json: interrupted in 2/2 end = 1*; the points before it are kept in studied' 'studied/points.jsonl' study study.json --out studied
-(($(wc -l <studied/points.jsonl) == 1)) && ok "and there they are" || failed "and there they are" "$(wc studied/points.jsonl)"
+interrupted TERM 143 'study.json: interrupted in 2/2 end = 1*; the runs before it are kept in studied, and the same command goes on from there' 'studied/runs.jsonl' study study.json --out studied
+(($(wc -l <studied/runs.jsonl) == 1)) && ok "and there they are" || failed "and there they are" "$(wc studied/runs.jsonl)"
 
 echo "--- command line"
 misused 2 '*frobnicate*' frobnicate

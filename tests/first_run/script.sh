@@ -187,6 +187,27 @@ check "a failing configuration ends with exit code 5" same "$status" 5
 check "a failing configuration is not built" lacks "$box/calls" "--build"
 
 fresh_box
+mkdir "$box/tree/apps/report"
+echo '{}' >"$box/tree/apps/report/package-lock.json"
+sphonic list
+check "without npm there is no word about it" lacks "$box/err" npm
+fake npm <<'FAKE'
+echo "npm $* in $PWD" >>"$box/calls"
+exit "${npm_status:-0}"
+FAKE
+echo '{ }' >"$box/tree/apps/report/package-lock.json"
+sphonic list
+check "npm installs what a report's chart needs" has "$box/calls" "npm ci --ignore-scripts --no-audit --no-fund --omit=dev in $box/tree/apps/report"
+sphonic list
+check "npm is not asked again" lacks "$box/calls" npm
+sphonic test
+check "the tests need its browser driver too" has "$box/calls" "npm ci --ignore-scripts --no-audit --no-fund in"
+echo '{  }' >"$box/tree/apps/report/package-lock.json"
+npm_status=1 sphonic list
+check "a failing npm is told" has "$box/err" "no interactive chart"
+check "a failing npm stops nothing" has "$box/out" "<list>"
+
+fresh_box
 rm "$box/bin/dpkg-query" "$box/bin/ninja"
 sphonic list
 check "without dpkg a missing tool ends with exit code 5" same "$status" 5

@@ -157,14 +157,40 @@ TEST_CASE("labels of neighbouring points do not cover each other") {
                    std::abs(placed[i].second - placed[j].second) >= height));
 }
 
-TEST_CASE("a speed and accuracy chart has a curve per family and the front of what its axes can show") {
+TEST_CASE("a speed and accuracy chart joins the best of each family and rings the front of what its axes can show") {
     const Chart chart = speed_accuracy_chart(
         "t", {{"a", "one", 1, 1e-2}, {"b", "two", 2, 1e-3}, {"c", "one", 3, 1e-2}, {"exact", "two", 4, 0}}, "s", "e");
     const auto& curves = chart.panels.at(0).curves;
-    REQUIRE(curves.size() == 3);
-    CHECK(curves[0].point_labels == std::vector<std::string>{"a", "c"});
-    CHECK(curves[2].label == "Pareto front");
-    CHECK(curves[2].x == std::vector<double>{1, 2});
+    REQUIRE(curves.size() == 7);
+    CHECK(curves[0].label == "one");
+    CHECK(curves[0].point_labels == std::vector<std::string>{"a"});
+    CHECK(curves[1].point_labels == std::vector<std::string>{"c"});
+    CHECK(curves[1].family == curves[0].family);
+    CHECK(curves[6].label == "Pareto front");
+    CHECK(curves[6].x == std::vector<double>{1, 2});
+}
+
+TEST_CASE("a speed and accuracy chart has the predicted curve of a family and a line to the cheapest point at each target") {
+    const Chart chart = speed_accuracy_chart("t", {{"a", "one", 2, 1e-2, 4, 2e-2}, {"b", "one", 1, 1e-1, 3, 3e-1}, {"c", "one", 5, 1e-4}}, "s", "e",
+                                             {{5e-2, "5 %"}, {1e-5, "none meets it"}, {1, "all meet it"}});
+    const auto& curves = chart.panels.at(0).curves;
+    REQUIRE(curves.size() == 6);
+    CHECK(curves[2].x == std::vector<double>{3, 4});
+    CHECK(curves[2].y == std::vector<double>{3e-1, 2e-2});
+    CHECK(curves[4].label == "dashed: predicted");
+    CHECK(curves[5].point_labels.at(0) == "5 %");
+    CHECK(curves[5].x == std::vector<double>{1, 2});
+}
+
+TEST_CASE("a crowded speed and accuracy chart labels the best points only") {
+    std::vector<CostPoint> points;
+    for (int i = 0; i < 40; ++i) points.push_back({"p" + std::to_string(i), i % 2 ? "odd" : "even", 1.0 + i, i < 4 ? 1.0 / (1 + i) : 2.0});
+    std::vector<std::string> labels;
+    const Chart chart = speed_accuracy_chart("t", points, "s", "e");
+    for (const Curve& curve : chart.panels.at(0).curves)
+        for (const std::string& label : curve.point_labels)
+            if (!label.empty()) labels.push_back(label);
+    CHECK(labels == std::vector<std::string>{"p0", "p2", "p1", "p3"});
 }
 
 TEST_CASE("without gnuplot a script with its data inside is left") {

@@ -85,6 +85,17 @@ TEST_CASE("a value of a study sets all its members together and overrides come l
     CHECK(study.points[1].set == Json({{"/viscosity/alpha", 0}, {"/integrator/courant", 1.5}}));
 }
 
+TEST_CASE("a dimension of a study can tie several members to one value and tag families with its labels") {
+    const Study study = Desk().study(R"("case": "tone.json", "vary": [
+        { "name": "dx", "pointer": ["/particles/dx", "/kernel/h"], "values": [0.1, 0.05], "family": true },
+        { "name": "C", "pointer": "/integrator/courant", "values": [0.5, 1] } ])");
+    REQUIRE(study.points.size() == 4);
+    CHECK(study.points[3].document["particles"]["dx"] == 0.05);
+    CHECK(study.points[3].document["kernel"]["h"] == 0.05);
+    CHECK(study.points[0].family == "dx = 0.1");
+    CHECK(study.points[3].family == "dx = 0.05");
+}
+
 TEST_CASE("a value of a study can remove members and choose another case") {
     const Desk desk;
     desk.write("other.json", R"({ "title": "Other", "boundaries": [1, 2] })");
@@ -132,6 +143,11 @@ TEST_CASE("a study file that says something else than it may is refused where it
          "/charts/0/x: no point has a number at step. Name a dimension with numbers or a pointer to one"},
         {two + R"(, "charts": [ { "type": "value", "name": "c", "x": "alpha", "x_log": true, "order": 2 } ])",
          "/charts/0/order: a slope shows on logarithmic axes only. Set x_log and y_log too, or leave it out"},
+        {two + R"(, "charts": [ { "type": "value", "name": "c", "x": "alpha", "slopes": true } ])",
+         "/charts/0/slopes: a slope shows on logarithmic axes only. Set x_log and y_log too, or leave it out"},
+        {two + R"(, "cutoff": 0)", "/cutoff: 0 is not positive. Give the seconds of CPU time after which a run is given up"},
+        {two + R"(, "targets": [-1])", "/targets: -1 is not positive. Give a list of positive numbers"},
+        {two + R"(, "measure": ["errors.l2", "errors.l2"])", R"(/measure: "errors.l2" is given twice. Name each once)"},
         {two + R"(, "charts": [ { "type": "value", "name": "../c", "x": "alpha" } ])",
          R"(/charts/0/name: "../c" is no file name. Use letters, digits, - and _)"},
         {two + R"(, "printed": { "columns": ["alpha", "l2"], "rows": [[0.07, 1]] })",
@@ -180,16 +196,18 @@ TEST_CASE("a study marks the points that fail and keeps the others") {
     CHECK_THAT(lines(out / "table.md").at(5), Catch::StartsWith("| 50 ") && Catch::Contains("refused"));
 }
 
-TEST_CASE("a study replaces its own earlier results only when told to and nothing else ever") {
+TEST_CASE("a study goes on in a folder of its own, replaces it when told to and touches nothing else") {
     const Desk desk;
-    const Study study = desk.study(
-        R"("case": "tone.json", "vary": [ { "name": "C", "pointer": "/integrator/courant", "values": [1] } ], "repeat": 2)");
+    const std::string one = R"("case": "tone.json", "vary": [ { "name": "C", "pointer": "/integrator/courant", "values": [1] } ], "repeat": 2)";
+    const Study study = desk.study(one);
     Registry registry(Registry::search_path());
     const fs::path out = desk.folder / "out";
     run_study(study, registry, out, false);
-    CHECK_THROWS_WITH(run_study(study, registry, out, false),
-                      out.string() + ": exists already. Give --force to replace it, or another --out");
+    const auto before = lines(out / "runs.jsonl");
+    run_study(study, registry, out, false);
+    CHECK(lines(out / "runs.jsonl") == before);
     run_study(study, registry, out, true);
+    CHECK(lines(out / "runs.jsonl") != before);
     CHECK(lines(out / "points.jsonl").size() == 1);
     CHECK_THROWS_WITH(run_study(study, registry, desk.folder, true),
                       desk.folder.string() + ": holds something other than a study. Give another --out");

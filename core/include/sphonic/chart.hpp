@@ -84,11 +84,19 @@ std::vector<std::size_t> pareto_front(std::span<const double> cost, std::span<co
 struct CostPoint {
     std::string label, family;
     double cost, error;
+    double predicted_cost = 0, predicted_error = 0;    ///< 0: theory says nothing
 };
 
-/// Error against cost on logarithmic axes: families by colour and marker, every point labelled, and the Pareto front
-/// of the points that such axes can show (both values positive) as a ringed step line.
-Chart speed_accuracy_chart(const std::string& title, const std::vector<CostPoint>& points,
-                           const std::string& cost_label, const std::string& error_label);
+/// An error that is asked for: a line from the left to the cheapest point that meets it.
+struct CostTarget {
+    double error;
+    std::string label;    ///< such as "1 % costs 2 ms"
+};
+
+/// Error against cost on logarithmic axes: families by colour and marker, the points of a family that none of it beats full and
+/// joined, the others hollow, what is predicted of it dashed. The Pareto front of all points that such axes can show (both values
+/// positive) is a ringed step line. Every point is labelled; of more than 30 those that are best in their family, or best of all.
+Chart speed_accuracy_chart(const std::string& title, const std::vector<CostPoint>& points, const std::string& cost_label,
+                           const std::string& error_label, const std::vector<CostTarget>& targets = {});
 
 }    // namespace sphonic

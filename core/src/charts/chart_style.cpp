@@ -23,7 +23,7 @@ template <class List> auto cycled(const List& list, std::size_t i) { return list
 
 struct Rank {
     std::size_t colour;    ///< family, or position among the coloured curves
-    std::size_t member;    ///< how many before it have this colour
+    std::size_t member;    ///< how many before it have this colour, and are dashed if it is
 };
 
 std::string line_of(const Curve& curve, Rank rank, double scale) {
@@ -80,14 +80,14 @@ Look look_of(const Curve& curve, Rank rank, double line_scale, double marker_sca
 
 std::vector<Look> looks_of(const Panel& panel, double line_scale, double marker_scale) {
     std::vector<Look> looks;
-    std::map<int, std::size_t> members;
+    std::map<std::pair<int, bool>, std::size_t> members;    // by colour, those for comparison apart
     std::size_t position = 0;
     for (const Curve& curve : panel.curves) {
         const bool neutral = curve.family < 0 && (curve.style == Style::dashed || curve.style == Style::steps);
         const std::size_t colour = curve.family < 0 ? position : static_cast<std::size_t>(curve.family);
         if (!neutral) ++position;
         const int group = neutral ? -1 - static_cast<int>(curve.style) : static_cast<int>(colour % palette.size());
-        looks.push_back(look_of(curve, {colour, members[group]++}, line_scale, marker_scale));
+        looks.push_back(look_of(curve, {colour, members[{group, curve.style == Style::dashed}]++}, line_scale, marker_scale));
     }
     return looks;
 }

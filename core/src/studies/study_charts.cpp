@@ -50,6 +50,19 @@ std::optional<Curve> order_triangle(const std::vector<Curve>& curves, double ord
                  .point_labels = {"", "order " + readable(std::abs(order)), "", ""}};
 }
 
+/// The power of x with which a curve goes, by least squares of the logarithms; none where it has too few points that show.
+std::optional<double> slope_of(const Curve& curve) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (!(curve.x[i] > 0 && curve.y[i] > 0)) continue;
+        const double x = std::log(curve.x[i]), y = std::log(curve.y[i]);
+        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double spread = n * sxx - sx * sx;
+    if (n < 2 || spread <= 1e-12 * n * sxx) return std::nullopt;
+    return (n * sxy - sx * sy) / spread;
+}
+
 /// A curve of ours for each series, and hollow points of the same colour for what is printed.
 Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
     Panel panel;
@@ -77,6 +90,8 @@ Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<
             printed.x.push_back(x);
             printed.y.push_back(*study.points[i].printed);
         }
+        if (const auto slope = wish.slopes ? slope_of(ours) : std::nullopt)
+            ours.label += (ours.label.empty() ? "slope " : ", slope ") + formatted("%.2f", *slope);
         panel.curves.push_back(std::move(ours));
         if (!printed.x.empty()) panel.curves.push_back(std::move(printed));
     }
@@ -85,16 +100,30 @@ Chart value_chart(const Study& study, const StudyChart& wish, const std::vector<
     return {.title = wish.title, .panels = {panel}};
 }
 
+/// "1 % costs 0.0018 s", for the targets that a point meets.
+std::vector<CostTarget> targets_of(const Study& study, const std::vector<StudyResult>& results) {
+    std::vector<CostTarget> targets;
+    for (const StudyReading& r : study_readings(study, results))
+        if (targets.empty() || targets.back().error != r.target)
+            targets.push_back({r.target, target_text(study, r.target) + " costs " + time_text(measured(results[r.point], "cpu_s"))});
+    return targets;
+}
+
 Chart cost_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
     std::vector<CostPoint> points;
+    const auto shown_at = [&](double y) { return y < wish.y_floor ? wish.y_floor : y; };
     for (std::size_t i = 0; i < results.size(); ++i) {
         const double y = measured(results[i], wish.y);
-        CostPoint point{study.points[i].name, named_label(wish.group, at_place(study, study.points[i], wish.group)),
-                        measured(results[i], "cpu_s"), y < wish.y_floor ? wish.y_floor : y};
+        CostPoint point{study.points[i].name, named_label(wish.group, at_place(study, study.points[i], wish.group)), measured(results[i], "cpu_s"), shown_at(y)};
         if (y < wish.y_floor) point.label += ": " + readable(y);
+        if (wish.y == "errors.l2" && results[i].predicted_l2 && results[i].status == StudyResult::Status::done) {
+            point.predicted_cost = results[i].predicted_cpu_s.value_or(0);
+            point.predicted_error = shown_at(*results[i].predicted_l2);
+        }
         points.push_back(std::move(point));
     }
-    Chart chart = speed_accuracy_chart(wish.title, points, wish.x_label, wish.y_label);
+    const auto targets = wish.y == study.measure ? targets_of(study, results) : std::vector<CostTarget>{};
+    Chart chart = speed_accuracy_chart(wish.title, points, wish.x_label, wish.y_label, targets);
     if (wish.y_floor > 0) chart.panels[0].y.lower = 0.7 * wish.y_floor;
     return chart;
 }

@@ -86,13 +86,6 @@ void give(Study& study, const PrintedRow& row, const std::string& place) {
     if (!found) throw Error(Fault::input, place, "no point of the study is meant", "Correct its labels or remove it");
 }
 
-bool read_flag(Section& section, const std::string& key) {
-    const Json* member = section.find(key);
-    if (member && !member->is_boolean())
-        section.fail(key, shown(*member) + " is not true or false", "Give true or false");
-    return member && member->get<bool>();
-}
-
 /// There must be something to draw, and no curve may mix points that differ in more than x.
 void check_curves(const Study& study, const StudyChart& chart, const Section& section) {
     const auto drawn = [&](const StudyPoint& point) { return at_place(study, point, chart.x).is_number(); };
@@ -138,8 +131,9 @@ StudyChart read_chart(const Study& study, Section section) {
         chart.x_log = read_flag(section, "x_log");
         chart.y_log = read_flag(section, "y_log");
         chart.order = section.real(real_row("order", "1", -20, 20, "slope of the triangle beside the curves"));
-        if (chart.order != 0 && !(chart.x_log && chart.y_log))
-            section.fail("order", "a slope shows on logarithmic axes only", "Set x_log and y_log too, or leave it out");
+        chart.slopes = read_flag(section, "slopes");
+        if ((chart.order != 0 || chart.slopes) && !(chart.x_log && chart.y_log))
+            section.fail(chart.slopes ? "slopes" : "order", "a slope shows on logarithmic axes only", "Set x_log and y_log too, or leave it out");
         check_curves(study, chart, section);
     }
     section.finish();

@@ -45,12 +45,14 @@ std::span<const Measure> measures() { return table; }
 
 const Measure& measure(const std::string& name) { return *std::ranges::find(table, name, &Measure::name); }
 
+std::string measure_label(const std::string& name) { return measure(name).label; }
+
 double measured(const StudyResult& result, const std::string& name) {
     return result.status == StudyResult::Status::done ? measure(name).of(result.summary) : unknown;
 }
 
 const char* status_name(StudyResult::Status status) {
-    constexpr std::array names{"done", "diverged", "refused", "not repeatable"};
+    constexpr std::array names{"done", "diverged", "refused", "not repeatable", "beyond the cut-off", "not run"};
     return names[std::size_t(status)];
 }
 
@@ -68,7 +70,12 @@ Json to_json(const Study& study, const StudyPoint& point, const StudyResult& res
     const double ours = measured(result, study.measure);
     line["printed"] = point.printed ? Json(*point.printed) : Json(nullptr);
     line["ratio"] = point.printed ? Json(ours / *point.printed) : Json(nullptr);
-    const bool ran = result.status != StudyResult::Status::refused;
+    const StudyTiming& timing = result.timing;
+    line["runs"] = timing.runs;
+    line["cpu_quartiles_s"] = timing.runs ? Json{timing.low, timing.high} : Json(nullptr);
+    line["timing_doubt"] = timing.doubt;
+    line["predicted"] = {{"l2", result.predicted_l2 ? Json(*result.predicted_l2) : Json(nullptr)}, {"cpu_s", result.predicted_cpu_s ? Json(*result.predicted_cpu_s) : Json(nullptr)}};
+    const bool ran = result.status != StudyResult::Status::refused && result.status != StudyResult::Status::missing;
     const Json summary = to_json(result.summary);
     for (const auto& [key, value] : summary.items()) line[key] = ran ? value : Json(nullptr);
     return line;

@@ -40,7 +40,7 @@ StudyValue read_value(Section section, const fs::path& file) {
     return value;
 }
 
-void add_value(StudyDimension& dimension, const Section& section, const Json& given, const std::string& pointer,
+void add_value(StudyDimension& dimension, const Section& section, const Json& given, const std::vector<std::string>& pointers,
                const fs::path& file) {
     const std::string key = "values/" + std::to_string(dimension.values.size());
     const std::string at = section.pointer() + "/" + key;
@@ -50,16 +50,31 @@ void add_value(StudyDimension& dimension, const Section& section, const Json& gi
     else if (!is_label(given))
         throw Error(Fault::input, section.file() + ": " + at, shown(given) + " is no value",
                     "Give a number, a string or { \"label\": ... }");
-    else if (pointer.empty())
+    else if (pointers.empty())
         throw Error(Fault::input, section.file() + ": " + at, shown(given) + " goes nowhere",
                     "Give the dimension a \"pointer\", or write { \"label\": ..., \"set\": { \"/pointer\": value } }");
-    else
-        value = {.label = given, .family = {}, .scene = {}, .remove = {}, .set = {{pointer, given}}};
+    else {
+        value = {.label = given, .family = {}, .scene = {}, .remove = {}, .set = {}};
+        for (const std::string& pointer : pointers) value.set.emplace_back(pointer, given);
+    }
     for (const StudyValue& other : dimension.values)
         if (other.family == value.family && label_text(other.label) == label_text(value.label))
             throw Error(Fault::input, section.file() + ": " + at,
                         "the label \"" + label_text(value.label) + "\" is given twice", "Label each value differently");
     dimension.values.push_back(std::move(value));
+}
+
+/// One, or several that get the same value.
+std::vector<std::string> read_pointers(Section& section) {
+    const Json* member = section.find("pointer");
+    if (!member) return {};
+    if (!member->is_array()) return {section.text("pointer", "")};
+    std::vector<std::string> pointers;
+    for (const Json& pointer : need_list(section, "pointer", "Give JSON pointers")) {
+        if (!pointer.is_string()) section.fail("pointer", shown(pointer) + " is not a string", "Give JSON pointers such as \"/kernel/h\"");
+        pointers.push_back(pointer);
+    }
+    return pointers;
 }
 
 StudyDimension read_dimension(const Study& study, Section section) {
@@ -70,19 +85,14 @@ StudyDimension read_dimension(const Study& study, Section section) {
     if (dimension.name == "family" || dimension.name[0] == '/' || std::ranges::any_of(measures(), same))
         section.fail("name", "\"" + dimension.name + "\" is not free",
                      "Choose a name that is no measure, no pointer and not \"family\"");
-    const std::string pointer = section.text("pointer", "");
+    const std::vector<std::string> pointers = read_pointers(section);
     for (const Json& given : need_list(section, "values", "Give the values in a list"))
-        add_value(dimension, section, given, pointer, study.file);
+        add_value(dimension, section, given, pointers, study.file);
+    if (read_flag(section, "family"))
+        for (StudyValue& value : dimension.values)
+            if (value.family.empty()) value.family = named_label(dimension.name, value.label);
     section.finish();
     return dimension;
-}
-
-int read_repeat(Section& section) {
-    const Json* member = section.find("repeat");
-    if (!member) return 1;
-    if (!member->is_number_integer() || *member < 1 || *member > 1000)
-        section.fail("repeat", shown(*member) + " is no number of runs", "Give an integer from 1 to 1000");
-    return member->get<int>();
 }
 
 }    // namespace
@@ -100,12 +110,6 @@ std::string need_text(Section& section, const std::string& key, const std::strin
     return text;
 }
 
-std::string read_measure(Section& section, const std::string& key, const std::string& fallback) {
-    std::vector<std::string> names;
-    for (const Measure& m : measures()) names.emplace_back(m.name);
-    return section.choice(key, fallback, names);
-}
-
 Study load_study(const fs::path& file, const std::vector<std::string>& overrides) {
     const Json document = read_json(file);
     Section root(document, file.string(), "");
@@ -115,8 +119,10 @@ Study load_study(const fs::path& file, const std::vector<std::string>& overrides
     study.overrides = overrides;
     study.title = root.text("title", file.stem().string());
     study.description = root.text("description", "");
-    study.measure = read_measure(root, "measure", "errors.l2");
+    read_measures(study, root);
     study.repeat = read_repeat(root);
+    if (root.find("cutoff")) study.cutoff = positive(root, "cutoff", *root.find("cutoff"), "Give the seconds of CPU time after which a run is given up");
+    read_targets(study, root);
     const Json& vary = need_list(root, "vary", "Give [ { \"name\": ..., \"pointer\": ..., \"values\": [...] } ]");
     for (std::size_t i = 0; i < vary.size(); ++i)
         study.vary.push_back(read_dimension(study, {vary[i], root.file(), "/vary/" + std::to_string(i)}));

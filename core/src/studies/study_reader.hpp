@@ -14,6 +14,16 @@ std::string need_text(Section& section, const std::string& key, const std::strin
 /// The name of a measure.
 std::string read_measure(Section& section, const std::string& key, const std::string& fallback);
 
+/// True or false; false where it is missing.
+bool read_flag(Section& section, const std::string& key);
+/// One measure, or several: the first is the study's.
+void read_measures(Study& study, Section& section);
+int read_repeat(Section& section);
+/// A positive number, which is a member or stands in one.
+double positive(const Section& section, const std::string& key, const Json& value, const std::string& remedy);
+/// Of relative errors 1 % and 0.1 % unless given.
+void read_targets(Study& study, Section& section);
+
 /// Gives the points the printed values whose rows name them.
 void read_printed(Study& study, Section section);
 void read_charts(Study& study, const Json& list);

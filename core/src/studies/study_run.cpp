@@ -1,13 +1,14 @@
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <new>
 
 #include <sphonic/error.hpp>
-#include <sphonic/log.hpp>
-#include <sphonic/result_folder.hpp>
+#include <sphonic/prediction.hpp>
+#include <sphonic/shown.hpp>
 
-#include "study_parts.hpp"
+#include "machine.hpp"
+#include "study_folder.hpp"
+#include "study_forecast.hpp"
+#include "study_runs.hpp"
 
 namespace fs = std::filesystem;
 
@@ -17,127 +18,134 @@ namespace {
 using Status = StudyResult::Status;
 using Report = std::function<void(double fraction)>;
 
-bool needs_reference(const Study& study) {
-    const auto of_reference = [](const StudyChart& chart) { return measure(chart.y).of_reference; };
-    return measure(study.measure).of_reference || std::ranges::any_of(study.charts, of_reference);
-}
+constexpr double warm_up_s = 0.2;    ///< until clocks have risen and code is in the caches
 
-/// Every case must be readable before the first one runs.
-void check_points(const Study& study, Registry& registry) {
-    for (std::size_t i = 0; i < study.points.size(); ++i) {
-        const StudyPoint& point = study.points[i];
-        try {
-            const Case scene = load_case(point.document, point.file, registry);
-            if (!scene.reference && needs_reference(study))
-                throw Error(Fault::input, scene.file + ": /reference", "is missing",
-                            "Errors need something to compare with");
-        } catch (const Error& e) {
-            throw Error(e.fault, point_place(study, i, study.points.size(), point.full_name()), e.what());
-        }
-    }
-}
+struct EnoughSteps {};
 
-/// Only what a study left is ever removed.
-void open_folder(const fs::path& folder, bool force) {
-    const std::string place = folder.string();
-    std::error_code failed;
-    if (fs::exists(folder)) {
-        if (!force) throw Error(Fault::io, place, "exists already", "Give --force to replace it, or another --out");
-        if (!fs::is_directory(folder) || (!fs::is_empty(folder) && !fs::exists(folder / "points.jsonl")))
-            throw Error(Fault::io, place, "holds something other than a study", "Give another --out");
-        fs::remove_all(folder, failed);
-    }
-    if (!failed) fs::create_directories(folder, failed);
-    if (failed) throw Error(Fault::io, place, "cannot be created: " + failed.message(), "Check space and permissions");
-}
-
-StudyResult run_once(const StudyPoint& point, int threads, Registry& registry, const Report& report) {
-    StudyResult result;
+/// As far as the run goes until `enough` says stop.
+bool run_while(Simulation& simulation, const std::function<bool()>& enough, const Report& report) {
     try {
-        Case scene = load_case(point.document, point.file, registry);
-        scene.threads = threads;
-        Simulation simulation(scene);
-        simulation.run([&](const Progress& p) { report(double(p.step) / double(p.steps)); });
-        result.summary = simulation.summary();
-        result.why = result.summary.diverged_how;
-        if (result.summary.diverged) result.status = Status::diverged;
-    } catch (const Error& e) {
-        if (e.fault != Fault::input && e.fault != Fault::diverged) throw;
-        result = {
-            .status = e.fault == Fault::input ? Status::refused : Status::diverged, .why = e.what(), .summary = {}};
-    } catch (const std::bad_alloc&) {
-        result = {.status = Status::refused, .why = "there is not enough memory", .summary = {}};
+        simulation.run([&](const Progress& p) {
+            report(double(p.step) / double(p.steps));
+            if (p.step < p.steps && enough()) throw EnoughSteps{};
+        });
+    } catch (const EnoughSteps&) {
+        return false;
     }
+    return true;
+}
+
+void predict_into(StudyResult& result, const Case& scene, const Summary& prepared) {
+    const Prediction prediction = predict(scene, prepared);
+    result.predicted_l2 = prediction.l2;
+    result.predicted_cpu_s = prediction.cpu_s;
+}
+
+StudyResult simulate(const Study& study, const StudyPoint& point, Registry& registry, const Report& report) {
+    StudyResult result{.status = Status::done};
+    Case scene = load_case(point.document, point.file, registry);
+    scene.threads = study.threads;
+    Simulation simulation(scene);
+    predict_into(result, scene, simulation.summary());
+    const Summary& summary = simulation.summary();
+    const bool ended = run_while(simulation, [&] { return study.cutoff && summary.cpu_s > *study.cutoff; }, report);
+    result.summary = summary;
+    if (!ended) result.status = Status::cut_off, result.why = "took more than " + shown(*study.cutoff) + " s of CPU time";
+    if (summary.diverged) result.status = Status::diverged, result.why = summary.diverged_how;
     return result;
 }
 
-bool same(const StudyResult& a, const StudyResult& b) {
-    const auto& [ea, eb] = std::pair(a.summary.errors, b.summary.errors);
-    const bool errors = ea && eb ? ea->l2 == eb->l2 && ea->max == eb->max : ea.has_value() == eb.has_value();
-    return a.status == b.status && a.summary.steps == b.summary.steps && errors;
+StudyResult run_once(const Study& study, const StudyPoint& point, Registry& registry, const Report& report) {
+    try {
+        return simulate(study, point, registry, report);
+    } catch (const Error& e) {
+        if (e.fault != Fault::input && e.fault != Fault::diverged) throw;
+        return {.status = e.fault == Fault::input ? Status::refused : Status::diverged, .why = e.what()};
+    } catch (const std::bad_alloc&) {
+        return {.status = Status::refused, .why = "there is not enough memory"};
+    }
 }
 
-StudyResult run_point(const Study& study, const StudyPoint& point, Registry& registry, const Report& report) {
-    std::vector<StudyResult> runs;
-    for (int r = 0; r < study.repeat; ++r) {
-        runs.push_back(run_once(point, study.threads, registry, [&](double fraction) { report((r + fraction) / study.repeat); }));
-        if (runs.back().status != Status::done) return runs.back();
+/// Steps a point that is thrown away, again and again if it is short.
+void warm_up(const Study& study, const StudyPoint& point, Registry& registry, const Report& report) try {
+    Case scene = load_case(point.document, point.file, registry);
+    scene.threads = study.threads;
+    const double begin = wall_seconds();
+    const auto warm = [&] { return wall_seconds() - begin > warm_up_s; };
+    while (!warm()) {
+        Simulation simulation(scene);
+        run_while(simulation, warm, [&](double) { report(0); });
+        if (simulation.summary().diverged) return;
     }
-    const bool repeatable = std::ranges::all_of(runs, [&](const StudyResult& run) { return same(run, runs[0]); });
-    const auto middle = runs.begin() + (study.repeat - 1) / 2;
-    std::ranges::nth_element(runs, middle, {}, [](const StudyResult& run) { return run.summary.cpu_s; });
-    if (!repeatable)
-        middle->status = Status::unrepeatable, middle->why = "repetitions of this point differ in steps or errors";
-    return *middle;
+} catch (const Error& e) {
+    if (e.fault != Fault::input && e.fault != Fault::diverged) throw;
+} catch (const std::bad_alloc&) {    // the run itself will say so
 }
 
-class PointFile {
-public:
-    explicit PointFile(fs::path file) : file_(std::move(file)), out_(file_, std::ios::binary | std::ios::app) {}
-    void append(const Json& line) {
-        out_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
-        if (!out_) throw Error(Fault::io, file_.string(), "cannot be written", "Check space and permissions");
-    }
-
-private:
-    fs::path file_;
-    std::ofstream out_;
+struct Task {
+    std::size_t point;
+    int repetition;
 };
 
-void write_whole(const fs::path& file, const std::string& text) {
-    const fs::path part = file.string() + ".part";
-    write_file(part, text);
-    fs::rename(part, file);
+/// The first repetition of every point, then the second.
+std::vector<Task> tasks(const Study& study, const StudyRuns& runs, const StudyWork& work) {
+    std::vector<Task> list;
+    for (int r = 1; r <= study.repeat; ++r)
+        for (std::size_t i = 0; i < study.points.size(); ++i)
+            if ((!work.only || *work.only == i) && !is_finished(study, runs[i]) && std::ranges::count(runs[i], r, &StudyRun::repetition) == 0) list.push_back({i, r});
+    return list;
 }
 
-void write_reports(const Study& study, const std::vector<StudyResult>& results, const fs::path& folder) {
-    write_whole(folder / "table.csv", study_csv(study, results));
-    write_whole(folder / "table.md", study_markdown(study, results));
-    bool drawn = true;
-    for (const StudyChart& wish : study.charts) drawn &= draw(study_chart(study, wish, results), folder / wish.name);
-    if (!drawn) log::warn(folder.string() + ": gnuplot is not installed, so the charts are left as scripts (.gp)");
+fs::path run_file(const fs::path& folder, const StudyWork& work) {
+    return folder / (work.only ? "runs-" + std::to_string(*work.only + 1) + ".jsonl" : "runs.jsonl");
 }
 
 }    // namespace
 
-std::vector<StudyResult> run_study(const Study& study, Registry& registry, const fs::path& folder, bool force,
-                                   const std::function<void(const StudyProgress&)>& progress) {
-    check_points(study, registry);
-    open_folder(folder, force);
-    PointFile file(folder / "points.jsonl");
-    std::vector<StudyResult> results;
-    for (std::size_t i = 0; i < study.points.size(); ++i) {
-        const StudyPoint& point = study.points[i];
-        const auto tell = [&](double fraction, const StudyResult* result) {
-            if (progress) progress({i, study.points.size(), point, fraction, result});
-        };
-        tell(0, nullptr);
-        results.push_back(run_point(study, point, registry, [&](double fraction) { tell(fraction, nullptr); }));
-        file.append(to_json(study, point, results.back()));
-        tell(1, &results.back());
+void run_points(const Study& study, Registry& registry, const fs::path& folder, const StudyWork& work, const StudyListener& listen) {
+    StudyRuns runs = read_runs(study, folder);
+    const std::vector<Task> list = tasks(study, runs, work);
+    if (list.empty()) return;
+    RunFile file(run_file(folder, work));
+    Forecast forecast(study, runs);
+    const auto tell = [&](const Task& task, double fraction, const StudyResult* result) {
+        const auto left = work.only ? forecast.left(*work.only) : forecast.left();
+        if (listen) listen({task.point, study.points.size(), study.points[task.point], task.repetition, study.repeat, fraction, left, result});
+    };
+    warm_up(study, study.points[list.front().point], registry, [&](double fraction) { tell(list.front(), fraction, nullptr); });
+    for (const Task& task : list) {
+        if (is_finished(study, runs[task.point])) continue;    // an earlier repetition failed
+        const double begin = wall_seconds();
+        tell(task, 0, nullptr);
+        StudyRun run{.point = task.point, .repetition = task.repetition, .side_by_side = work.side_by_side, .result = {}};
+        run.result = run_once(study, study.points[task.point], registry, [&](double fraction) { tell(task, fraction, nullptr); });
+        run.took_s = wall_seconds() - begin;
+        file.append(run);
+        runs[task.point].push_back(run);
+        forecast.note(runs[task.point]);
+        tell(task, 1, &run.result);
     }
-    write_reports(study, results, folder);
+}
+
+std::vector<std::size_t> unfinished_points(const Study& study, const fs::path& folder) {
+    const StudyRuns runs = read_runs(study, folder);
+    std::vector<std::size_t> list;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (!is_finished(study, runs[i])) list.push_back(i);
+    return list;
+}
+
+std::vector<StudyResult> collect_study(const Study& study, const fs::path& folder) {
+    std::vector<StudyResult> results;
+    for (const auto& of_point : read_runs(study, folder)) results.push_back(merged(of_point));
+    write_tables(study, results, folder);
     return results;
+}
+
+std::vector<StudyResult> run_study(const Study& study, Registry& registry, const fs::path& folder, bool force, const StudyListener& listen) {
+    open_study(study, registry, folder, force);
+    run_points(study, registry, folder, {}, listen);
+    return collect_study(study, folder);
 }
 
 }    // namespace sphonic

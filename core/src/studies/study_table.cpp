@@ -11,17 +11,10 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string formatted(const char* format, double x) {
-    char text[40];
-    std::snprintf(text, sizeof text, format, x);
-    return text;
-}
-
-std::string with_digits(double x, const char* format) { return std::isfinite(x) ? formatted(format, x) : ""; }
-
-/// The study's measure, then what its charts show besides CPU time.
+/// The study's measures, then what its charts show besides CPU time.
 std::vector<std::string> shown_measures(const Study& study) {
     std::vector<std::string> names{study.measure};
+    names.insert(names.end(), study.also.begin(), study.also.end());
     for (const StudyChart& chart : study.charts)
         if (!std::ranges::count(names, chart.y)) names.push_back(chart.y);
     for (const char* given : {"cpu_s", "steps", "ns_per_particle_step"}) std::erase(names, given);
@@ -42,7 +35,9 @@ Row heading(const Study& study) {
     for (const StudyDimension& dimension : study.vary) row.push_back(dimension.name);
     for (const std::string& name : shown_measures(study)) row.push_back(name.substr(name.find('.') + 1));
     if (has_printed(study)) row.insert(row.end(), {"printed", "ours / printed"});
-    row.insert(row.end(), {"CPU [s]", "steps", "ns per particle-step"});
+    row.push_back("CPU [s]");
+    if (study.repeat > 1) row.push_back("quartiles [s]");
+    row.insert(row.end(), {"steps", "ns per particle-step"});
     return row;
 }
 
@@ -58,36 +53,12 @@ Row line(const Study& study, const StudyPoint& point, const StudyResult& result)
         row.push_back(point.printed ? with_digits(measured(result, study.measure) / *point.printed, "%.3f") : "");
     }
     row.push_back(with_digits(measured(result, "cpu_s"), "%.3g"));
+    const StudyTiming& timing = result.timing;
+    if (study.repeat > 1) row.push_back(timing.runs ? formatted("%.3g", timing.low) + " to " + formatted("%.3g", timing.high) : "");
+    if (!timing.doubt.empty()) row[row.size() - 1 - (study.repeat > 1)] += " ?";
     row.push_back(with_digits(measured(result, "steps"), "%.0f"));
     row.push_back(with_digits(measured(result, "ns_per_particle_step"), "%.3g"));
     return row;
-}
-
-std::size_t width(const std::string& text) {
-    return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));    // UTF-8
-}
-
-/// Columns of numbers stand to the right.
-std::string markdown(std::vector<Row> rows, std::size_t labels) {
-    std::vector<std::size_t> widths(rows[0].size(), 3);
-    for (Row& row : rows)
-        for (std::size_t c = 0; c < row.size(); ++c) {
-            for (std::size_t at = 0; (at = row[c].find('|', at)) != std::string::npos; at += 2) row[c].insert(at, "\\");
-            widths[c] = std::max(widths[c], width(row[c]));
-        }
-    std::string text;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (std::size_t c = 0; c < widths.size(); ++c) {
-            const std::string space(widths[c] - width(rows[r][c]), ' ');
-            text += "| " + (c < labels ? rows[r][c] + space : space + rows[r][c]) + " ";
-        }
-        text += "|\n";
-        if (r > 0) continue;
-        for (std::size_t c = 0; c < widths.size(); ++c)
-            text += "| " + std::string(widths[c] - (c >= labels), '-') + (c < labels ? " " : ": ");
-        text += "|\n";
-    }
-    return text;
 }
 
 std::string in_csv(const std::string& text) {
@@ -99,34 +70,35 @@ std::string in_csv(const std::string& text) {
 
 std::string exact(double x) { return std::isfinite(x) ? Json(x).dump() : ""; }
 
-}    // namespace
-
-std::string readable(double x) {
-    if (!std::isfinite(x)) return "";
-    if (x == 0 || std::abs(x) >= 0.01) return formatted("%.4g", x);
-    std::string text = formatted("%.3e", x);
-    const std::size_t exponent = text.find("e-0");
-    return exponent == std::string::npos ? text : text.erase(exponent + 2, 1);
+/// How the times were taken, and which to doubt.
+std::string timing_note(const Study& study, const std::vector<StudyResult>& results) {
+    std::string doubts;
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (!results[i].timing.doubt.empty()) doubts += "- " + study.points[i].full_name() + ": " + results[i].timing.doubt + "\n";
+    std::string text = "CPU time is that of stepping";
+    if (study.repeat > 1) text += ", the median of " + std::to_string(study.repeat) + " runs in turn with those of the other points";
+    return text + (doubts.empty() ? ". " : ". Times marked ? are in doubt:\n\n" + doubts + "\n");
 }
+
+}    // namespace
 
 std::string study_markdown(const Study& study, const std::vector<StudyResult>& results) {
     std::string text = "# " + study.title + "\n\n";
     if (!study.description.empty()) text += study.description + "\n\n";
     std::vector<Row> rows{heading(study)};
     for (std::size_t i = 0; i < results.size(); ++i) rows.push_back(line(study, study.points[i], results[i]));
-    text += markdown(rows, study.vary.size() + has_family(study)) + "\n";
+    text += markdown_table(rows, study.vary.size() + has_family(study)) + "\n";
     for (std::size_t i = 0; i < results.size(); ++i)
         if (results[i].status != StudyResult::Status::done)
-            text += "- " + study.points[i].full_name() + " " + status_name(results[i].status) + ": " + results[i].why +
-                    "\n";
+            text += "- " + study.points[i].full_name() + " " + status_name(results[i].status) + ": " + results[i].why + "\n";
     if (!study.source.empty()) text += "Printed: " + study.source + ". ";
-    return text + "CPU time is that of stepping. sphonic " + version() + " (" + commit() + ").\n";
+    return text + readings_markdown(study, results) + timing_note(study, results) + "sphonic " + version() + " (" + commit() + ").\n";
 }
 
 std::string study_csv(const Study& study, const std::vector<StudyResult>& results) {
     std::string text;
     for (const StudyDimension& dimension : study.vary) text += in_csv(dimension.name) + ",";
-    text += "family,status,printed,ratio";
+    text += "family,status,printed,ratio,runs,cpu_low_s,cpu_high_s,timing_doubt,predicted_l2,predicted_cpu_s";
     for (const Measure& m : measures()) text += std::string(",") + m.name;
     text += ",tier\n";
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -135,6 +107,9 @@ std::string study_csv(const Study& study, const std::vector<StudyResult>& result
         text += in_csv(point.family) + "," + status_name(results[i].status);
         text += "," + (point.printed ? exact(*point.printed) : "");
         text += "," + (point.printed ? exact(measured(results[i], study.measure) / *point.printed) : "");
+        const StudyTiming& timing = results[i].timing;
+        text += "," + std::to_string(timing.runs) + "," + (timing.runs ? exact(timing.low) + "," + exact(timing.high) : ",") + "," + in_csv(timing.doubt);
+        for (const auto& prediction : {results[i].predicted_l2, results[i].predicted_cpu_s}) text += "," + (prediction ? exact(*prediction) : "");
         for (const Measure& m : measures()) text += "," + exact(measured(results[i], m.name));
         text += "," + in_csv(results[i].summary.tier) + "\n";
     }

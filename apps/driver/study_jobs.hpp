@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+
+#include <sphonic/study.hpp>
+
+#include "commands.hpp"
+
+namespace sphonic::driver {
+
+/// Each unfinished point as a process of this program, so many at a time. Their messages go to jobs.log.
+void run_jobs(const Study& study, const std::filesystem::path& folder, const StudyOptions& options);
+
+/// Writes jobs.txt, one command for each unfinished point, and for Slurm jobs.slurm, an array over its lines; says on stdout
+/// how to start them and how to collect. The exit code.
+int write_jobs(const Study& study, const std::filesystem::path& folder, const StudyOptions& options);
+
+}    // namespace sphonic::driver
