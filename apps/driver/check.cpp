@@ -21,7 +21,7 @@ Json check_json(const Summary& s, const Prediction& p) {
         layers.push_back({{"face", layer.face}, {"omega", layer.omega}, {"normal_db", layer.normal}, {"oblique_db", layer.oblique}, {"oblique_angle", oblique_angle}});
     return {{"title", s.title}, {"particles", s.particles}, {"tier", s.tier}, {"neighbours_mean", s.neighbours_mean},
             {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak},
-            {"dt_mild", s.dt_mild}, {"growth_exponent", s.growth},
+            {"dt_mild", s.dt_mild}, {"growth_exponent", s.growth}, {"growth_rate", s.growth_rate},
             {"predicted", {{"l2", optional_json(p.l2)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
                            {"memory_bytes", p.memory_bytes}, {"basis", p.basis}, {"layers", layers}}},
             {"warnings", warnings}};

@@ -111,6 +111,7 @@ struct Case {
     std::string method_name;
     std::vector<std::string> warnings;
 
+    Registry* registry = nullptr;        ///< that the plugins came from; outlives the case
     std::shared_ptr<Json> resolved;      ///< the case with every default; runs again to the same bits
     std::shared_ptr<Json> provenance;    ///< plugins in use with their paths, ABI, version and commit
     std::shared_ptr<const Json> source_text;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <sphonic/case.hpp>
+#include <sphonic/stability.hpp>
 
 namespace sphonic {
 
@@ -41,6 +42,7 @@ struct Summary {
     bool weak = false;    ///< the integrator has no limit of its own
     /// Of a weak one: the step at which the worst mode grows by e in the run [s], and the exponent by which it will grow at `dt`.
     double dt_mild = 0, growth = 0;
+    double growth_rate = 0;             ///< of the set's own worst motion at any step, by theory [1/s]
     long particles = 0;
     double neighbours_mean = 0;
     int threads = 1;
@@ -95,17 +97,23 @@ private:
     std::unique_ptr<abi::Solver> solver_;
     std::unique_ptr<Sentinel> sentinel_;
     Summary summary_;
+    SetGrowth set_;
     ProbeRecord probes_;
     std::vector<long> probe_particles_;
     std::vector<char> in_region_;    ///< by initial position
     bool beyond_linear_at_start_ = false;
     Profile measured_;               ///< that errors were taken from: some references are dear
 
+    void take_step(const std::string& place);
     void fix_step();
     void predict_growth();
+    void judge_set();
+    std::string likely_cause() const;
     void find_probes();
     void sample();
     void complete(Profile& profile) const;
+    long steps(long count);
+    void look(bool end = false);
     void advance_to(long step, const std::function<void(const Progress&)>& progress);
     Errors measure();
 };

@@ -116,6 +116,19 @@ private:
     void of_assembled(double dissipation);
 };
 
+/// What grows in a set whatever the step, by theory.
+struct SetGrowth {
+    double rate = 0;                          ///< ln of the worst motion's amplitude per second; 0 where nothing is known to grow
+    std::optional<double> dt_limit{};         ///< where walls that remember bear less than the set does [s]
+    std::string basis{};                      ///< such as "200 eigenvalues of the assembled operator of a box of 10 x 10 dx"
+    std::string place{}, cause{}, remedy{};   ///< JSON pointer and words, where it grows
+};
+
+/// That of a case at a step dt [s] that its particles bear, by a small set of the same make: its spacing, disorder, forms, media and
+/// walls in a box of few particles a side, at an interface if there is one. Rates of walls that remember go as one over the distance
+/// between faces, and are taken to the case's own. Lattices between mirrors, and sets whose forms are adjoint, keep their energy.
+SetGrowth set_growth(const Case& scene, double dt);
+
 /// Largest |xi| of a step in which the operator times the step has the eigenvalue `z`, alike for p and u.
 double amplification(const Case& scene, std::complex<double> z);
 

@@ -192,6 +192,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     Case scene;
     scene.provenance = std::make_shared<Json>(Json::object());
     scene.file = file.string();
+    scene.registry = &registry;
     auto kept = std::make_shared<const Json>(std::move(document));
     scene.source_text = kept;
     Section root(*kept, scene.file, "");

@@ -5,8 +5,6 @@
 
 #include <sphonic/error.hpp>
 #include <sphonic/json.hpp>
-#include <sphonic/shown.hpp>
-#include <sphonic/stability.hpp>
 #include <sphonic/version.hpp>
 
 #include "linear_validity.hpp"
@@ -27,12 +25,6 @@ std::vector<double> exact_pressure(const Case& scene, double t, const abi::Point
 }
 
 }    // namespace
-
-double asked_step(const Case& scene, double dt_limit) {
-    const StepChoice& choice = scene.step;
-    if (choice.dt) return *choice.dt;
-    return choice.courant ? *choice.courant * choice.courant_length / scene.media->fastest().c0 : choice.safety * dt_limit;
-}
 
 Simulation::Simulation(const Case& scene) : scene_(scene) {
     const double begin = cpu_seconds();
@@ -58,7 +50,7 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
     summary_.memory_bytes = solver_->memory_bytes();
     summary_.setup_s = cpu_seconds() - begin;
     find_probes();
-    sentinel_ = std::make_unique<Sentinel>(scene, *solver_);
+    sentinel_ = std::make_unique<Sentinel>(scene, *solver_, summary_.dt);
     summary_.energy_initial = summary_.energy_final = solver_->energy();
     const auto loud = beyond_linear(scene, solver_->snapshot());
     if (loud) summary_.warnings.push_back(*loud);
@@ -66,41 +58,6 @@ Simulation::Simulation(const Case& scene) : scene_(scene) {
 }
 
 Simulation::~Simulation() = default;
-
-void Simulation::fix_step() {
-    const StepChoice& choice = scene_.step;
-    summary_.dt_limit = solver_->dt_limit();
-    summary_.weak = solver_->weakly_unstable();
-    const double dt = asked_step(scene_, summary_.dt_limit);
-    const std::string place = scene_.file + ": /integrator/" + (choice.dt ? "dt" : choice.courant ? "courant" : "safety");
-    if (!std::isfinite(dt)) throw Error(Fault::input, place, "no stable limit is known for this set", "Give dt or courant");
-    if (summary_.dt_limit == 0 && !choice.allow_unstable)
-        throw Error(Fault::input, scene_.file + ": /integrator/type", "\"" + scene_.integrator_name + "\" is unstable at every step",
-                    "Choose another integrator, or set \"unstable\": \"allow\" to study the failure");
-    if (dt == 0) throw Error(Fault::input, place, "no step is stable", "Give dt or courant");
-    const double steps = scene_.steps_of(dt);
-    if (steps > 1e15) throw Error(Fault::input, place, "the run would take " + shown(steps) + " steps", "Choose a larger step or a shorter run");
-    summary_.steps = long(steps);
-    summary_.dt = scene_.until / steps;
-    predict_growth();
-    if (summary_.dt <= summary_.dt_limit * (1 + 1e-9)) return;
-    const double courant = scene_.media->fastest().c0 / scene_.box.dx;
-    const std::string problem = "the step " + shown(summary_.dt) + " s (c0 dt/dx = " + shown(summary_.dt * courant) +
-                                ") is beyond the stable limit " + shown(summary_.dt_limit) +
-                                " s (c0 dt/dx = " + shown(summary_.dt_limit * courant) + ")";
-    if (!choice.allow_unstable)
-        throw Error(Fault::input, place, problem, "Choose a smaller step, or set \"unstable\": \"allow\" to study the failure");
-    summary_.warnings.push_back(problem);
-}
-
-/// By the modes of the case's lattice, which other sets are near to.
-void Simulation::predict_growth() {
-    if (!summary_.weak || !scene_.method->meshfree()) return;
-    const StepLimit limit = step_limit(scene_);
-    const double same = limit.dt > 0 ? summary_.dt_limit / limit.dt : 1;    // theta is what grows: by how much the set's differs
-    summary_.dt_mild = limit.mild * same;
-    summary_.growth = double(summary_.steps) * std::log(amplification(scene_, summary_.dt / same));
-}
 
 void Simulation::find_probes() {
     const abi::Snapshot shot = solver_->snapshot();
@@ -146,24 +103,37 @@ void Simulation::sample() {
     }
 }
 
+/// Steps, and lets the sentinel look between them; the number of steps taken.
+long Simulation::steps(long count) {
+    for (long s = 1; s <= count; ++s) {
+        solver_->step();
+        if (sentinel_->due()) look();
+        if (summary_.diverged) return s;
+    }
+    return count;
+}
+
+void Simulation::look(bool end) {
+    const auto complaint = sentinel_->look(end);
+    if (!complaint) return;
+    summary_.diverged = true;
+    summary_.diverged_how = *complaint + "; " + likely_cause();
+}
+
 void Simulation::advance_to(long target, const std::function<void(const Progress&)>& progress) {
     constexpr double slice_s = 0.1;
     long done = std::lround(solver_->time() / summary_.dt), slice = 1;
     while (done < target && !summary_.diverged) {
-        const long count = std::min(slice, target - done);
         const double cpu = cpu_seconds(), wall = wall_seconds();
-        for (long s = 0; s < count; ++s) solver_->step();
+        const long taken = steps(std::min(slice, target - done));
         const double spent = wall_seconds() - wall;
         summary_.cpu_s += cpu_seconds() - cpu;
         summary_.wall_s += spent;
-        done += count;
+        done += taken;
+        sentinel_->pace(summary_.wall_s / double(done));
         if (spent < slice_s) slice *= 2;
         if (spent > 2 * slice_s) slice = std::max(1L, slice / 2);
         if (progress) progress({done, summary_.steps, summary_.wall_s});
-        if (const auto complaint = sentinel_->look()) {
-            summary_.diverged = true;
-            summary_.diverged_how = *complaint;
-        }
     }
 }
 
@@ -179,6 +149,7 @@ void Simulation::run(const std::function<void(const Progress&)>& progress) {
         done = target;
         sample();
     }
+    if (!summary_.diverged) look(true);
     summary_.t = solver_->time();
     summary_.last_good_t = sentinel_->last_good().t;
     const abi::Activity activity = solver_->activity();

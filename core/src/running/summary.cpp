@@ -14,7 +14,7 @@ Json to_json(const Summary& s) {
                       {"error_bound", s.asleep_error}, {"all_because", s.all_because}};
     const double per_step = s.particle_steps > 0 ? 1e9 * s.wall_s / s.particle_steps : 0;
     return {{"title", s.title}, {"method", s.method}, {"integrator", s.integrator}, {"steps", s.steps}, {"dt", s.dt},
-            {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak}, {"dt_mild", s.dt_mild}, {"growth_exponent", s.growth}, {"particles", s.particles}, {"neighbours_mean", s.neighbours_mean}, {"tier", s.tier},
+            {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak}, {"dt_mild", s.dt_mild}, {"growth_exponent", s.growth}, {"growth_rate", s.growth_rate}, {"particles", s.particles}, {"neighbours_mean", s.neighbours_mean}, {"tier", s.tier},
             {"threads", s.threads}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}, {"setup_s", s.setup_s},
             {"ns_per_particle_step", per_step}, {"particle_steps", s.particle_steps},
             {"nominal_particle_steps", nominal}, {"active", active}, {"memory_bytes", s.memory_bytes},

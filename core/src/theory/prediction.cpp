@@ -66,22 +66,6 @@ TravellingMode travelling_mode(const Case& scene, double k, const double* direct
     return {std::arg(best) / dt, -std::log(std::abs(best)) / dt};
 }
 
-namespace {
-
-/// Walls of layers with a memory are stable on a line; in the plane and in space the shortest waves along them grow.
-void warn_of_layers(const Case& scene, Prediction& out) {
-    if (scene.box.dimension == 1 || !scene.method->meshfree()) return;
-    for (int a = 0; a < scene.box.dimension; ++a)
-        for (const bool upper : {false, true})
-            if (scene.closure(a, upper) == abi::Closure::layers) {
-                out.warnings.push_back(std::string("the wall at ") + "xyz"[a] + (upper ? "_max" : "_min") + " remembers, and in " + std::to_string(scene.box.dimension) +
-                                       "-D the shortest waves along such walls grow slowly: end the run soon, or take impedance, absorbing_layer or soft");
-                return;
-            }
-}
-
-}    // namespace
-
 Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
@@ -100,7 +84,6 @@ Prediction predict(const Case& scene, const Summary& prepared) {
                                    (scene.box.dimension == 1 ? ", such as 1 with cubic_spline" : ""));
         predict_waves(scene, prepared, out);
     }
-    warn_of_layers(scene, out);
     out.basis += &costs == &reference_costs() ? "cpu_s: costs of the reference machine, `sphonic calibrate` measures this one" : "cpu_s: calibrated costs of this machine";
     return out;
 }

@@ -46,6 +46,11 @@ public:
     }
 
     /// u half a step behind p, the mean of the two points beside p.
+    double pressure(long point) override {
+        if (shown_.at.empty()) shown_ = grid_.all(-1);
+        return p_[shown_.at[std::size_t(point)]];
+    }
+
     abi::Snapshot snapshot() override {
         if (shown_.at.empty()) shown_ = grid_.all(-1);
         abi::Snapshot shot{.points = shown_.points(), .p = shown_.value.data()};

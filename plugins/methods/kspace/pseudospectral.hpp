@@ -60,6 +60,8 @@ public:
     }
 
     /// u half a step behind p.
+    double pressure(long point) override { return pressure_in_space_ ? p_[std::size_t(point)] : snapshot().p[point]; }
+
     abi::Snapshot snapshot() override {
         if (shown_.at.empty()) shown_ = grid_.all(-1);
         abi::Snapshot shot{.points = shown_.points(), .p = p_.data()};
