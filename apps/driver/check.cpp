@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -51,6 +52,8 @@ int check(const RunOptions& options) {
     for (const LayerReturn& layer : p.layers)
         std::printf("  the layer at %s returns %.1f dB at right angles, %.1f dB at %g degrees (at %.3g rad/s)\n", layer.face.c_str(), layer.normal, layer.oblique,
                     oblique_angle, layer.omega);
+    for (const LayerReturn& layer : p.layers)
+        std::printf("  the layer at %s suffices for errors down to %.2g %% at right angles (6 dB above what it returns)\n", layer.face.c_str(), 100 * std::pow(10, (layer.normal + 6) / 20));
     std::printf("  predicted cost: %.3g s of CPU, %.3g MB\n", p.cpu_s, 1e-6 * p.memory_bytes);
     for (const std::string& warning : s.warnings) log::warn(scene.file + ": " + warning);
     for (const std::string& warning : p.warnings) log::warn(scene.file + ": " + warning);

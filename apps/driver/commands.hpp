@@ -28,6 +28,13 @@ struct StudyOptions : RunOptions {
     bool report = false;     ///< one HTML page of it all
 };
 
+struct PlanOptions : RunOptions {
+    double target = 0;    ///< of the relative L2 error; 0: the case's, else 0.01
+    std::string norm = "l2";
+    bool free = false;
+    double budget_s = 60;
+};
+
 struct StabilityOptions : RunOptions {
     std::vector<std::string> vary;    ///< "/pointer=a:b:n", none to two
     bool spectrum = false;
@@ -60,6 +67,8 @@ struct AtlasOptions : Common {
 /// Each returns the exit code of a job that was done; errors are thrown.
 int run(const RunOptions& options);
 int check(const RunOptions& options);
+/// `out` is the planned case's file; empty: it goes to stdout.
+int plan(const PlanOptions& options);
 int study(const StudyOptions& options);
 int stability(const StabilityOptions& options);
 int atlas(const AtlasOptions& options);

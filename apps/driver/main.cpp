@@ -37,6 +37,7 @@ struct Arguments {
     RunOptions options;
     StudyOptions study;
     StabilityOptions stability;
+    PlanOptions planning;
     DescribeOptions described;
     KernelOptions card;
     AtlasOptions atlas;
@@ -70,6 +71,19 @@ void add_study_command(CLI::App& app, Arguments& a) {
     auto* collect = command->add_flag("--collect", options.collect, "run nothing: tables and charts of what the output folder holds")->excludes(launcher)->excludes(point);
     collect->needs(command->get_option("--out"));
     command->callback([&a] { a.result = study(a.study); });
+}
+
+void add_plan_command(CLI::App& app, Arguments& a) {
+    PlanOptions& options = a.planning;
+    auto* command = app.add_subcommand("plan", "the cheapest model of a scene that meets an accuracy, each decision with its reason");
+    add_case(*command, options, "CASE");
+    command->add_option("--target", options.target, "relative L2 error to stay below; default: the case's /accuracy/target, else 0.01")->check(CLI::Range(1e-6, 0.999));
+    command->add_option("--norm", options.norm, "of the error")->check(CLI::IsMember({"l2"}))->capture_default_str();
+    command->add_flag("--free", options.free, "decide anew what the case gives of method, kernel, equations, viscosity, spacing, motion and step");
+    command->add_option("--budget", options.budget_s, "CPU seconds for runs that judge or confirm")->check(CLI::Range(0.0, 1e6))->capture_default_str();
+    command->add_option("--out", options.out, "file for the planned case; default: printed");
+    command->add_flag("--force", options.force, "replace that file if it exists");
+    command->callback([&a] { a.result = plan(a.planning); });
 }
 
 void add_stability_command(CLI::App& app, Arguments& a) {
@@ -146,6 +160,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     Arguments arguments;
     add_case_commands(app, arguments);
+    add_plan_command(app, arguments);
     add_study_command(app, arguments);
     add_stability_command(app, arguments);
     add_atlas_command(app, arguments);
@@ -161,7 +176,7 @@ int main(int argc, char** argv) {
             app.exit(e, std::cout, std::cerr);
             return int(sphonic::Fault::input);
         }
-        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, study, stability, atlas, calibrate, list, describe, kernel, schema, new");
+        sphonic::log::error(std::string("there is no subcommand \"") + argv[1] + "\". Known: run, check, plan, study, stability, atlas, calibrate, list, describe, kernel, schema, new");
         return int(sphonic::Fault::input);
     } catch (const CLI::ParseError& e) {
         return app.exit(e, std::cout, std::cerr) == 0 ? 0 : int(sphonic::Fault::input);

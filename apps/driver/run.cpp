@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "planned.hpp"
 #include "progress.hpp"
 
 namespace sphonic::driver {
@@ -40,7 +41,7 @@ void print_summary(const Summary& s, const std::filesystem::path& folder) {
 int run(const RunOptions& options) {
     const Interruptible interruptible;
     Registry registry(Registry::search_path(options.plugin_path));
-    Case scene = load_case(options.file, options.set, registry);
+    Case scene = load_planned(options.file, options.set, registry);
     scene.threads = options.threads;
     ResultFolder folder(options.out.empty() ? ResultFolder::unused(options.file.stem().string()) : options.out, options.force);
     Simulation simulation(scene);

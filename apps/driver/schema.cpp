@@ -46,6 +46,8 @@ Json case_members() {
                                  {"additionalProperties", reference("kernel")}});
     Json members = object({
         {"$schema", described(string, "where editors find this schema")},
+        {"accuracy", described(closed(object({{"target", object({{"type", "number"}, {"minimum", 1e-6}, {"exclusiveMaximum", 1}})}}), {"target"}),
+                               "what `run` plans the case to first: the relative L2 error of p to stay below")},
         {"title", with(described(string, "the file's name if not given"), "minLength", 1)},
         {"dimension", object({{"enum", {1, 2, 3}}})},
         {"medium", medium_schema()},

@@ -18,6 +18,10 @@ struct Fdtd final : abi::Method {
 
     bool meshfree() const override { return false; }
     bool several_media() const override { return true; }
+    bool carry(const abi::Medium& medium, const abi::Box& box, double dt, const double* k, abi::CarriedWave& wave) const override {
+        wave = fdtd::carried(medium, box.dimension, box.dx, order, dt, k);
+        return true;
+    }
     std::unique_ptr<abi::Solver> discretise(const abi::Scene& scene) const override {
         if (order == 3) throw std::invalid_argument("there is no order 3 in space: choose 2 or 4");
         for (int a = 0; a < scene.box.dimension; ++a)

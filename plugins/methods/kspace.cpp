@@ -19,6 +19,10 @@ struct KSpace final : abi::Method {
 
     bool meshfree() const override { return false; }
     bool several_media() const override { return true; }
+    bool carry(const abi::Medium& medium, const abi::Box& box, double, const double* k, abi::CarriedWave& wave) const override {
+        wave = kspace::carried(medium, box.dimension, k);
+        return true;
+    }
     std::unique_ptr<abi::Solver> discretise(const abi::Scene& scene) const override { return std::make_unique<kspace::Pseudospectral>(scene, threads); }
 };
 

@@ -93,6 +93,10 @@ void pass_over_schema(Section& root) {
     if (schema && !schema->is_string()) root.fail("$schema", shown(*schema) + " is not a string", "Give a string");
 }
 
+void refuse_unplanned(Section& root) {
+    if (root.has("accuracy")) root.fail("accuracy", "this case is still to be planned", "Use run, or plan and then the case that it writes");
+}
+
 void read_title(Case& scene, Section& root) {
     scene.title = root.text("title", fs::path(scene.file).stem().string());
     if (scene.title.empty()) root.fail("title", "the text is empty", "Give a title, or leave it out: it is then the file's name");
@@ -197,6 +201,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     scene.source_text = kept;
     Section root(*kept, scene.file, "");
     pass_over_schema(root);
+    refuse_unplanned(root);
     read_title(scene, root);
     read_dimension(scene, root);
     read_method(scene, root, registry);

@@ -5,6 +5,18 @@
 #include <numeric>
 
 namespace sphonic {
+namespace {
+
+/// Of an n x n and an n x m matrix, row-major.
+std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b, int n, int m) {
+    std::vector<double> c(std::size_t(n * m), 0.0);
+    for (int r = 0; r < n; ++r)
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < m; ++k) c[std::size_t(r * m + k)] += a[std::size_t(r * n + i)] * b[std::size_t(i * m + k)];
+    return c;
+}
+
+}    // namespace
 
 ModeSystem::ModeSystem(const Case& scene, const Symbol& symbol, std::optional<Forcing> forcing) : A_(symbol), forcing_(forcing) {
     int count = 0;
@@ -99,23 +111,42 @@ Symbol ModeSystem::one_step_map(const abi::Integrator& integrator, double dt) {
     evaluations_ = 0;
     integrator.step(*this, {1, dt, dt});
     const std::size_t n = std::size_t(A_.n), size = n * slots_.size();
-    std::vector<std::size_t> kept;    // scratch arrays influence nothing: their columns are zero
+    kept_.clear();    // scratch arrays influence nothing: their columns are zero
     for (std::size_t c = 0; c < size; ++c) {
         bool used = c < n;
         for (const Rows& slot : slots_)
             for (const auto& row : slot) used = used || row[c] != 0;
-        if (used) kept.push_back(c);
+        if (used) kept_.push_back(c);
     }
     forced_.clear();
-    for (const std::size_t r : kept) {
+    for (const std::size_t r : kept_) {
         const auto& row = slots_[r / n][r % n];
         const std::complex<double> gained(row[size], row[size + 1]);
         forced_.push_back(forcing_ ? gained * std::polar(1.0, -forcing_->omega * dt) : gained);
     }
-    Symbol map{.n = int(kept.size()), .a = {}};
-    for (const std::size_t r : kept)
-        for (const std::size_t c : kept) map.a.push_back(slots_[r / n][r % n][c]);
+    Symbol map{.n = int(kept_.size()), .a = {}};
+    for (const std::size_t r : kept_)
+        for (const std::size_t c : kept_) map.a.push_back(slots_[r / n][r % n][c]);
     return map;
+}
+
+Symbol ModeSystem::run_map(const abi::Integrator& integrator, double dt, long steps) {
+    integrator.begin(*this, dt);    // may name histories of its own
+    Symbol power = one_step_map(integrator, dt);
+    unit_slots();
+    integrator.begin(*this, dt);
+    integrator.step(*this, {0, 0, dt});
+    Symbol state{.n = A_.n, .a = {}};    // of all that the map acts on, by what was given
+    for (const std::size_t r : kept_) {
+        const auto& row = slots_[r / std::size_t(A_.n)][r % std::size_t(A_.n)];
+        state.a.insert(state.a.end(), row.begin(), row.begin() + A_.n);
+    }
+    for (long left = steps - 1; left > 0; left /= 2) {
+        if (left % 2 == 1) state.a = product(power.a, state.a, power.n, A_.n);
+        power.a = product(power.a, power.a, power.n, power.n);
+    }
+    state.a.resize(std::size_t(A_.n * A_.n));    // the state's own rows come first
+    return state;
 }
 
 }    // namespace sphonic

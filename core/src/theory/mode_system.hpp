@@ -22,6 +22,9 @@ public:
     /// The matrix that takes (state, histories that persist) over a step `dt`, past the first step.
     Symbol one_step_map(const abi::Integrator& integrator, double dt);
 
+    /// The n x n matrix that takes the state given at t = 0 to that after `steps` steps, begun as the integrator begins.
+    Symbol run_map(const abi::Integrator& integrator, double dt, long steps);
+
     /// After one_step_map: what the forcing, with the phase that it has when the step begins at t = 0, adds in a step.
     const std::vector<std::complex<double>>& forced() const { return forced_; }
     /// Row of an evolved variable's first component, in the symbol and in the map.
@@ -46,6 +49,7 @@ private:
     std::vector<int> first_;                 ///< row of each evolved variable
     std::vector<std::vector<int>> order_;    ///< rows of each splitting group
     std::vector<std::complex<double>> forced_;
+    std::vector<std::size_t> kept_;          ///< rows of the slots, one after the other, that the map acts on
     std::vector<int> all_, none_;
     std::vector<std::string> names_{"state"};
     std::vector<Rows> slots_;

@@ -6,6 +6,8 @@
 #include <sphonic/shown.hpp>
 
 #include "cost.hpp"
+#include "field_error.hpp"
+#include "front_error.hpp"
 #include "linear_algebra.hpp"
 #include "mode_system.hpp"
 
@@ -14,42 +16,30 @@ namespace {
 
 std::string percent(double x) { return shown(100 * x, 2) + " %"; }
 
-/// Relative L2 error over 0 <= s <= c0 * until of exp(i k s) against the numerical wave of the same frequency.
-double wave_error(const Case& scene, const abi::PlaneWave& wave, double dt) {
-    constexpr int samples = 400;
-    const double k = wave.omega / scene.medium.c0, length = scene.medium.c0 * scene.until;
-    const TravellingMode mode = travelling_mode(scene, k, wave.direction, dt, {.viscosity = 0.5});
-    const double slip = k * (1 - wave.omega / mode.omega), decay = mode.decay / scene.medium.c0;
-    double sum = 0;
-    for (int i = 0; i < samples; ++i) {
-        const double s = length * (i + 0.5) / samples, amplitude = std::exp(-decay * s);
-        sum += amplitude * amplitude - 2 * amplitude * std::cos(slip * s) + 1;
-    }
-    return std::sqrt(sum / samples);
-}
-
-std::vector<const abi::PlaneWave*> waves_of(const Case& scene) {
-    std::vector<const abi::PlaneWave*> waves;
+/// Sources that send a plane wave.
+std::vector<const SourceUse*> waves_of(const Case& scene) {
+    std::vector<const SourceUse*> waves;
     for (const SourceUse& use : scene.sources)
-        if (const abi::PlaneWave* wave = use.source->wave()) waves.push_back(wave);
+        if (use.source->wave()) waves.push_back(&use);
     return waves;
 }
 
 void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) {
     const auto waves = waves_of(scene);
     if (waves.empty()) return;
-    double error = 0, power = 0;
-    for (const abi::PlaneWave* wave : waves) {
-        const double e = wave_error(scene, *wave, prepared.dt), a2 = wave->amplitude * wave->amplitude;
-        error += a2 * e * e;
-        power += a2;
+    for (const SourceUse* use : waves) {
+        const abi::PlaneWave* wave = use->source->wave();
         const double per_wavelength = 2 * std::acos(-1.0) * scene.medium.c0 / (wave->omega * scene.box.dx);
         if (per_wavelength < 6)
             out.warnings.push_back("the highest source frequency has " + shown(per_wavelength, 2) +
                                    " points per wavelength: waves this short travel wrongly or not at all");
     }
-    out.l2 = std::sqrt(error / power);
-    out.basis = "l2: phase and decay of the sources' waves over c0 until, viscosity at half strength, fronts without their kinks; ";
+    out.l2 = fronts_error(scene, waves, prepared.dt);
+    if (!out.l2) {
+        out.basis = "l2: not foreseen, the sources send too many periods; ";
+        return;
+    }
+    out.basis = "l2: speed and decay of every frequency that the sources' fronts consist of, viscosity at half strength, without what walls return; ";
 }
 
 }    // namespace
@@ -57,6 +47,7 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
 TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, Damping damping, int medium) {
     double vector[3] = {0, 0, 0};
     for (int a = 0; a < scene.box.dimension; ++a) vector[a] = k * direction[a];
+    if (abi::CarriedWave wave; scene.method->carry(scene.media->list()[std::size_t(medium)], scene.box, dt, vector, wave)) return {wave.omega, 0};
     const Symbol A = symbol(scene, vector, damping, medium);
     const Symbol map = ModeSystem(scene, A).one_step_map(*scene.integrator, dt);
     const std::complex<double> exact = std::polar(1.0, k * scene.media->list()[std::size_t(medium)].c0 * dt);
@@ -74,10 +65,16 @@ Prediction predict(const Case& scene, const Summary& prepared) {
     out.cpu_s = predicted_seconds(costs, scene, prepared, is_viscous(scene));
     if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
     if (scene.media->several()) out.basis = "speed and l2: known for one medium only; ";
+    std::string why;
+    if (const auto error = field_error(scene, prepared.dt, prepared.steps, why)) {
+        out.l2 = error->l2();
+        out.basis = error->basis + "; ";
+    }
+    if (!scene.method->meshfree() && scene.regular() && !scene.media->several()) predict_waves(scene, prepared, out);
     if (scene.method->meshfree() && scene.arrangement->regular() && !scene.media->several()) {
         const auto waves = waves_of(scene);
         const double x_axis[3] = {1, 0, 0};
-        out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->direction) - 1;
+        out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->source->wave()->direction) - 1;
         if (std::abs(*out.speed_error) > 1e-3)
             out.warnings.push_back("long waves run at the wrong speed by " + percent(*out.speed_error) +
                                    ": refining dx at fixed h/dx will not converge. Choose another h/dx" +

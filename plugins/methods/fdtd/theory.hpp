@@ -64,4 +64,20 @@ inline abi::ToneResponse tone_response(const Grid& g, const abi::Medium& m, int 
     return mean;
 }
 
+/// sin(omega dt/2) = c0 dt/2 |G|, along G: G_a = 2/dx (near sin(theta_a) - far sin(3 theta_a)), theta_a = k_a dx/2.
+inline abi::CarriedWave carried(const abi::Medium& m, int dimension, double dx, int order, double dt, const double* k) {
+    const double near = order == 2 ? 1 : inner_weight, far = order == 2 ? 0 : outer_weight;
+    abi::CarriedWave wave;
+    double squares = 0;
+    for (int a = 0; a < dimension; ++a) {
+        const double theta = 0.5 * k[a] * dx;
+        wave.along[a] = 2 / dx * (near * std::sin(theta) - far * std::sin(3 * theta));
+        squares += wave.along[a] * wave.along[a];
+    }
+    const double length = std::sqrt(squares);
+    wave.omega = 2 / dt * std::asin(std::min(1.0, 0.5 * m.c0 * dt * length));
+    for (int a = 0; a < dimension && length > 0; ++a) wave.along[a] /= length;
+    return wave;
+}
+
 }    // namespace fdtd

@@ -61,6 +61,16 @@ inline abi::ToneResponse tone_response(int dimension, double c, double c0, doubl
     return {k, std::pow(k * c0 / omega, 0.5 * (dimension - 1))};
 }
 
+/// The continuous wave: exact at any step.
+inline abi::CarriedWave carried(const abi::Medium& m, int dimension, const double* k) {
+    abi::CarriedWave wave;
+    double squares = 0;
+    for (int a = 0; a < dimension; ++a) squares += k[a] * k[a];
+    wave.omega = m.c0 * std::sqrt(squares);
+    for (int a = 0; a < dimension && squares > 0; ++a) wave.along[a] = k[a] / std::sqrt(squares);
+    return wave;
+}
+
 /// u = (1 - S)^(1/2) u, S = -(dt/2)^2 1/rho0 grad K div, by its power series. S is sin^2(omega dt/2) of each wave.
 inline void centre(Operators& operators, const Grid& grid, const Media& media, double dt, Field* u) {
     constexpr int terms = 40;

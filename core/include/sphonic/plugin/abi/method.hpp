@@ -77,6 +77,13 @@ struct Scene {
     const void* host = nullptr;
 };
 
+/// How an infinite grid of one medium carries the waves p, u ~ exp(i k . x):
+///   p(t) = p(0) cos(omega t) - i rho0 c0 (along . u(0)) sin(omega t).
+struct CarriedWave {
+    double omega = 0;              ///< [rad/s]
+    double along[3] = {0, 0, 0};   ///< of length 1
+};
+
 /// A discretisation: particles, or a baseline that runs the same case.
 class Method {
 public:
@@ -88,6 +95,8 @@ public:
     virtual bool meshfree() const = 0;
     /// True for one that knows of several media; a case that has them is refused for the others.
     virtual bool several_media() const { return false; }
+    /// The wave of wave vector k [rad/m] in steps of dt [s], for predictions; false, and nothing written, where the method's theory is not known.
+    virtual bool carry(const Medium&, const Box&, double /*dt*/, const double* /*k*/, CarriedWave&) const { return false; }
 };
 
 }    // namespace sphonic::abi

@@ -1,0 +1,154 @@
+#include "choices.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <sphonic/shown.hpp>
+
+namespace sphonic {
+namespace {
+
+bool several_media(const OpenCase& open) { return open.document.contains("medium") && open.document["medium"].is_array() && open.document["medium"].size() > 1; }
+/// Particles that are no whole lattice.
+bool displaced(const OpenCase& open) {
+    const Json& particles = open.document["particles"];
+    return particles["type"] != "lattice" || particles.value("jitter", Json(0)) != 0 || open.document.contains("obstacles");
+}
+
+Json step(const std::string& key, double value) { return {{"type", "leapfrog"}, {key, value}}; }
+
+/// The case's integrator with a step where only that is open.
+std::vector<Json> integrators(const OpenCase& open, const std::vector<Json>& steps) {
+    if (!open.step) return {Json()};
+    std::vector<Json> list = steps;
+    if (!open.integrator)
+        for (Json& one : list) {
+            const Json given = open.document["integrator"];
+            one.update(given);
+        }
+    return list;
+}
+
+std::vector<Json> kernels(const OpenCase& open, bool corrected) {
+    if (!open.kernel) return {Json()};
+    const auto kernel = [](const char* type, double h) { return Json{{"type", type}, {"h_over_dx", h}}; };
+    std::vector<Json> list{kernel("cubic_spline", 1), kernel("super_gaussian", 1.3)};
+    if (corrected && open.dimension() > 1) list.push_back(kernel("wendland_c4", 1.6));
+    return list;
+}
+
+void add_grids(const OpenCase& open, std::vector<Choice>& list) {
+    const double diagonal = std::sqrt(double(open.dimension()));
+    const auto courants = [&](std::initializer_list<double> shares) {
+        std::vector<Json> steps;
+        for (const double share : shares) steps.push_back(step("courant", share / diagonal));
+        return integrators(open, steps);
+    };
+    for (const Json& one : courants({1, 0.7, 0.4})) list.push_back({.family = "kspace", .method = {{"type", "kspace"}}, .equations = {}, .kernel = {}, .integrator = one});
+    for (const Json& one : courants({1, 0.7, 0.4})) list.push_back({.family = "fdtd 2", .method = {{"type", "fdtd"}, {"order", 2}}, .equations = {}, .kernel = {}, .integrator = one});
+    for (const Json& one : courants({0.85, 0.5, 0.25})) list.push_back({.family = "fdtd 4", .method = {{"type", "fdtd"}, {"order", 4}}, .equations = {}, .kernel = {}, .integrator = one});
+}
+
+void add_fitted(const OpenCase& open, std::vector<Choice>& list) {
+    const std::vector<Json> steps{step("courant", 0.4), step("courant", 0.7), step("safety", 0.95)};
+    const Json kernel = open.kernel ? Json{{"type", "cubic_spline"}, {"h_over_dx", 1}} : Json();
+    for (const double support : open.dimension() < 3 ? std::vector{3.0, 4.0} : std::vector{2.0, 3.0})    // in space a ball of 4 dx has more weights than the fit bears
+        for (const double finer : {0.9, 1.3})
+            for (const Json& one : integrators(open, steps))
+                list.push_back({.family = "band_fitted", .method = open.method ? Json{{"type", "particles"}} : Json(), .equations = {}, .kernel = kernel, .integrator = one, .support = support, .finer = finer});
+}
+
+void add_kernels(const OpenCase& open, std::vector<Choice>& list) {
+    std::vector<std::string> presets{"corrected_acoustics", "linear_acoustics"};
+    if (several_media(open)) presets = {"acoustics"};
+    if (!open.equations) presets = {""};
+    for (const std::string& preset : presets)
+        for (const Json& kernel : kernels(open, preset == "corrected_acoustics"))
+            for (const Json& one : integrators(open, {step("safety", 0.95), step("safety", 0.5)}))
+                list.push_back({.family = preset.empty() ? "the case's own equations" : preset, .method = open.method ? Json{{"type", "particles"}} : Json(),
+                                .equations = preset.empty() ? Json() : Json(preset), .kernel = kernel, .integrator = one});
+}
+
+/// Terms with a form of its own parameters.
+Json fitted_equations(double points, double support) {
+    const Json form{{"type", "band_fitted"}, {"points_per_wavelength", points}, {"support", support}};
+    const auto term = [&](const char* op, const char* of, const char* times) { return Json::array({Json{{op, of}, {"form", form}, {"times", times}}}); };
+    return {{"p", term("divergence", "u", "-rho0*c0^2")}, {"u", term("gradient", "p", "-1/rho0")}};
+}
+
+/// The next whole number from n on that parts every closed axis into whole spacings; 0 if there is none near.
+long fitting(const OpenCase& open, int first, long n) {
+    for (long tried = n; tried < n + 3000; ++tried) {
+        bool fits = true;
+        for (int a = 0; a < open.dimension(); ++a) {
+            const double spacings = open.length(a) / open.length(first) * double(tried);
+            fits = fits && (!open.whole(a) || std::abs(spacings - std::round(spacings)) < 1e-7);
+        }
+        if (fits) return tried;
+    }
+    return 0;
+}
+
+}    // namespace
+
+Json Choice::apply(const OpenCase& open, double dx, double shortest) const {
+    Json document = open.document;
+    if (open.spacing) document["particles"]["dx"] = dx;
+    if (!method.is_null()) document["method"] = method;
+    const bool grid = !method.is_null() && method["type"] != "particles";
+    if (!integrator.is_null()) document["integrator"] = integrator;
+    if (grid) {
+        for (const char* key : {"kernel", "kernels", "equations", "viscosity", "dissipation"}) document.erase(key);
+        return document;
+    }
+    if (!kernel.is_null()) document["kernel"] = kernel;
+    if (!equations.is_null()) document["equations"] = equations;
+    const double points = std::clamp(std::round(10 * finer * shortest / document["particles"]["dx"].get<double>()) / 10, 3.0, 100.0);
+    if (support > 0) document["equations"] = fitted_equations(points, support);
+    if (open.equations && displaced(open) && support == 0 && !document.contains("obstacles") && !document.contains("dissipation")) document["dissipation"] = {{"type", "fourth_order"}};
+    return document;
+}
+
+std::string Choice::name() const {
+    std::string text = family;
+    if (support > 0) text += ", support " + shown(support) + " dx";
+    if (!kernel.is_null() && support == 0) text += ", " + kernel["type"].get<std::string>() + " h = " + shown(kernel["h_over_dx"].get<double>()) + " dx";
+    for (const char* key : {"courant", "safety"})
+        if (!integrator.is_null() && integrator.contains(key)) text += std::string(", ") + key + " " + shown(integrator[key].get<double>());
+    return text;
+}
+
+std::vector<Choice> choices(const OpenCase& open) {
+    std::vector<Choice> list;
+    if (open.method && !displaced(open)) add_grids(open, list);
+    const bool grid = !open.method && open.document.contains("method") && open.document["method"].value("type", "particles") != "particles";
+    if (grid) {
+        for (const Json& one : integrators(open, {step("safety", 0.98), step("safety", 0.7), step("safety", 0.4)}))
+            list.push_back({.family = open.document["method"]["type"], .method = {}, .equations = {}, .kernel = {}, .integrator = one});
+        return list;
+    }
+    if (open.equations) add_fitted(open, list);
+    add_kernels(open, list);
+    return list;
+}
+
+std::vector<double> spacings(const OpenCase& open, double coarsest, double most_particles) {
+    if (!open.spacing) return {open.document["particles"]["dx"].get<double>()};
+    int first = 0;    // the shortest closed axis counts
+    for (int a = 1; a < open.dimension(); ++a)
+        if (open.length(a) < open.length(first)) first = a;
+    double volume = 1;
+    for (int a = 0; a < open.dimension(); ++a) volume *= open.length(a);
+    std::vector<double> list;
+    double wanted = std::max(4.0, std::ceil(open.length(first) / coarsest));
+    for (long n = fitting(open, first, long(wanted)); n > 0; n = fitting(open, first, std::max(n + 1, long(std::round(wanted))))) {
+        const double dx = open.length(first) / double(n);
+        if (volume / std::pow(dx, open.dimension()) > most_particles) break;
+        for (long more = 0; more < (several_media(open) ? 4 : 1); ++more)
+            if (fitting(open, first, n + more) == n + more) list.push_back(open.length(first) / double(n + more));
+        wanted = 1.1 * double(n);
+    }
+    return list;
+}
+
+}    // namespace sphonic

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "open_case.hpp"
+
+namespace sphonic {
+
+/// One way to compute a scene, at any spacing. Null where the case decides itself, or where it does not apply.
+struct Choice {
+    std::string family;    ///< "band_fitted", "fdtd 2", ...
+    Json method, equations, kernel, integrator;
+    double support = 0, finer = 1;    ///< of band_fitted: the neighbourhood [dx], and its shortest wave over the scene's
+
+    /// The case at a spacing [m], with nothing open; `shortest` is the scene's wavelength that must still be carried [m].
+    Json apply(const OpenCase& open, double dx, double shortest) const;
+    std::string name() const;    ///< with the step
+};
+
+std::vector<Choice> choices(const OpenCase& open);
+
+/// Spacings [m] from coarse to fine, by a tenth each, at which both ends of every closed axis lie on particles; of several media each
+/// with the next three. The case's own, if it decides.
+std::vector<double> spacings(const OpenCase& open, double coarsest, double most_particles);
+
+}    // namespace sphonic

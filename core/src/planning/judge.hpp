@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include <sphonic/plan.hpp>
+#include <sphonic/simulation.hpp>
+
+namespace sphonic {
+
+struct Judgement {
+    double l2 = 0, cpu_s = 0;    ///< cpu_s is predicted
+    std::string basis;           ///< of l2
+};
+
+/// Says what a case would give: its error by theory where it holds, else by a run, and its predicted cost.
+class Judge {
+public:
+    Judge(std::string file, Registry& registry, double target, double budget_s) : file_(std::move(file)), registry_(registry), target_(target), budget_s_(budget_s) {}
+
+    enum class Refusal { none, case_refused, too_dear, no_budget };
+    /// Nothing, and in `refusal` why, for a case that does not load, that costs more than `most_cpu_s`, or that only a run could judge
+    /// for which nothing is left. A run that diverges has an infinite error.
+    std::optional<Judgement> judge(const Json& document, double most_cpu_s);
+    Refusal refusal = Refusal::none;
+    std::string why;    ///< of a refused case
+
+    /// Error and CPU time of a run; nothing where the case has no reference, or the budget no room.
+    std::optional<std::pair<double, double>> measured(const Json& document);
+
+    /// From now on only runs count.
+    void distrust_theory() { theory_ = false; }
+    bool trusts_theory() const { return theory_; }
+
+private:
+    const std::string file_;
+    Registry& registry_;
+    const double target_;
+    double budget_s_;
+    bool theory_ = true;
+
+    std::optional<Judgement> by_run(const Json& document, const Case& scene, Simulation& simulation, double cpu_s);
+    double against_finer(const Json& document, const Case& scene, Simulation& run);
+};
+
+}    // namespace sphonic

@@ -1,0 +1,96 @@
+#include "open_case.hpp"
+
+#include <sphonic/error.hpp>
+
+namespace sphonic {
+namespace {
+
+bool is_auto(const Json& object, const char* key) { return !object.contains(key) || object[key] == "auto"; }
+
+void take_out(Json& object, const char* key) {
+    if (object.contains(key)) object.erase(key);
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& pointer, const std::string& problem, const std::string& remedy) {
+    throw Error(Fault::input, file + ": " + pointer, problem, remedy);
+}
+
+bool is_list_of_numbers(const Json& list, std::size_t n) {
+    if (!list.is_array() || list.size() != n) return false;
+    for (const Json& value : list)
+        if (!value.is_number()) return false;
+    return true;
+}
+
+void require_box(const Json& document, const std::string& file) {
+    if (!document.is_object()) refuse(file, "/", "it is not an object", "Write { ... }");
+    const Json d = document.value("dimension", Json());
+    if (!d.is_number_integer() || d < 1 || d > 3) refuse(file, "/dimension", "planning needs it", "Give 1, 2 or 3");
+    const Json particles = document.value("particles", Json());
+    if (!particles.is_object()) refuse(file, "/particles", "planning needs the box", "Give { \"type\": \"lattice\", \"lower\": [...], \"upper\": [...] }");
+    for (const char* corner : {"lower", "upper"})
+        if (!is_list_of_numbers(particles.value(corner, Json()), d.get<std::size_t>()))
+            refuse(file, std::string("/particles/") + corner, "is not a list of " + d.dump() + " numbers", "Give the corner of the box");
+}
+
+/// The integrator's type and step may be open apart.
+void open_integrator(OpenCase& open, bool free) {
+    Json& document = open.document;
+    open.integrator = free || is_auto(document, "integrator") || (document["integrator"].is_object() && is_auto(document["integrator"], "type"));
+    if (open.integrator) {
+        open.step = true;
+        take_out(document, "integrator");
+        return;
+    }
+    Json& integrator = document["integrator"];
+    if (!integrator.is_object()) return;
+    open.step = true;
+    for (const char* key : {"dt", "courant", "safety"})
+        if (is_auto(integrator, key))
+            take_out(integrator, key);
+        else
+            open.step = false;
+}
+
+}    // namespace
+
+double OpenCase::length(int axis) const {
+    const Json& particles = document["particles"];
+    const std::size_t a = std::size_t(axis);
+    return particles["upper"][a].get<double>() - particles["lower"][a].get<double>();
+}
+
+bool OpenCase::whole(int axis) const {
+    if (!document.contains("boundaries") || !document["boundaries"].is_array()) return false;
+    for (const Json& boundary : document["boundaries"]) {
+        const std::string face = boundary.is_object() ? boundary.value("face", Json("")).dump() : "";
+        if (face == "\"all\"" || (face.size() > 2 && face[1] == "xyz"[axis])) return true;
+    }
+    return false;
+}
+
+OpenCase opened(const Json& document, const std::string& file, bool free) {
+    require_box(document, file);
+    OpenCase open{.document = document, .file = file};
+    Json& d = open.document;
+    take_out(d, "accuracy");
+    open.equations = free || is_auto(d, "equations");
+    open.kernel = free || (is_auto(d, "kernel") && !d.contains("kernels"));
+    open.method = free || (d.contains("method") ? d["method"] == "auto" : open.equations);
+    open.spacing = free || is_auto(d["particles"], "dx");
+    open.viscosity = free && d.contains("viscosity");
+    open.attenuation = free;
+    if (open.equations) take_out(d, "equations");
+    if (open.kernel) take_out(d, "kernel"), take_out(d, "kernels");
+    if (open.method) take_out(d, "method");
+    if (open.spacing) take_out(d["particles"], "dx");
+    if (open.viscosity) take_out(d, "viscosity");
+    if (free) take_out(d, "dissipation");
+    if (free || is_auto(d["particles"], "motion")) take_out(d["particles"], "motion");
+    if (free) take_out(d["particles"], "neighbours");
+    if (!d["particles"].contains("type")) d["particles"]["type"] = "lattice";
+    open_integrator(open, free);
+    return open;
+}
+
+}    // namespace sphonic

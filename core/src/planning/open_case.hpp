@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sphonic/plan.hpp>
+
+namespace sphonic {
+
+/// A case before it is planned: what it leaves open is taken out of the document.
+struct OpenCase {
+    Json document;
+    std::string file;
+    bool method = false, equations = false, kernel = false, spacing = false, step = false, integrator = false, viscosity = false;
+    bool attenuation = false;    ///< of absorbing layers
+
+    bool anything() const { return method || equations || kernel || spacing || step; }
+    int dimension() const { return document["dimension"]; }
+    /// Length of the box along an axis [m].
+    double length(int axis) const;
+    /// True if both faces, or their images, must lie a whole number of spacings apart.
+    bool whole(int axis) const;
+};
+
+/// Errors stand at the members that planning needs: /dimension, and /particles with lower and upper.
+OpenCase opened(const Json& document, const std::string& file, bool free);
+
+/// Drops the axes along which nothing of a case changes: periodic or rigid on both sides, no obstacle, no source, wave or expression
+/// that knows of them. Expressions are renamed where an axis moves up.
+std::vector<Decision> drop_axes(Json& document);
+
+}    // namespace sphonic

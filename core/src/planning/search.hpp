@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "choices.hpp"
+#include "judge.hpp"
+
+namespace sphonic {
+
+/// A choice at the coarsest spacing at which it meets the target.
+struct Found {
+    Choice choice;
+    double dx;
+    Json document;
+    Judgement judgement;
+};
+
+/// What a search came to: all that was found, cheapest first, and else the nearest miss.
+struct Search {
+    std::vector<Found> found;
+    std::optional<Found> nearest;
+    bool out_of_budget = false;
+    std::string refused;    ///< the last reason of a case that was
+};
+
+/// Goes through all choices, each from coarse spacings to fine until it meets `target` or costs far more than the best.
+Search search(const OpenCase& open, double target, double shortest, Judge& judge);
+
+}    // namespace sphonic

@@ -1,0 +1,122 @@
+/// Planned cases keep what was promised of them.
+#include <sphonic/error.hpp>
+#include <sphonic/plan.hpp>
+
+#include "../support/scene.hpp"
+
+using namespace sphonic;
+using namespace sphonic::testing;
+
+namespace {
+
+std::filesystem::path file_of(const std::string& name) { return SPHONIC_SOURCE_DIR "/cases/suite/" + name + ".json"; }
+
+Plan planned(const std::string& name, double target, const std::vector<std::string>& set = {}) {
+    Json document = read_json(file_of(name));
+    for (const std::string& assignment : set) set_at(document, assignment);
+    return make_plan(document, file_of(name), {.target = target, .free = true}, registry());
+}
+
+Summary run_of(const Plan& plan, const std::string& name) {
+    const Case c = load_case(plan.document, file_of(name), registry());
+    return run(c);
+}
+
+std::string refusal(Json document) {
+    try {
+        make_plan(document, "open.json", {}, registry());
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "none";
+}
+
+Json open_case() {
+    return Json::parse(R"json({"dimension": 2, "medium": {"c0": 340, "rho0": 1.2}, "particles": {"type": "lattice", "lower": [0, 0], "upper": [4, 1]},
+        "boundaries": [{"type": "periodic", "face": "x"}, {"type": "rigid", "face": "y"}], "initial": {"p": "cos(pi*x)", "u": ["cos(pi*x)/(rho0*c0)", "0"]},
+        "until": 0.02, "reference": {"type": "travelling_wave", "wave_number": [3.141592653589793, 0]}})json");
+}
+
+}    // namespace
+
+TEST_CASE("a planned scene meets its target when it runs", "[plan]") {
+    for (const char* name : {"propagation_1d", "air_water"})
+        for (const double target : {0.01}) {
+            const Plan plan = planned(name, target);
+            const Summary s = run_of(plan, name);
+            CAPTURE(name, target, plan.document.dump());
+            REQUIRE(s.errors);
+            CHECK(s.errors->l2 <= target);
+            CHECK(plan.l2 <= target);
+            CHECK(plan.families.size() >= 2);
+        }
+}
+
+TEST_CASE("a plan costs far less than a case that was set up by habit", "[plan]") {
+    const Plan plan = planned("standing_wave_2d", 0.01);
+    const Case as_given = load_case(file_of("standing_wave_2d"), {}, registry());
+    const Summary habit = run(as_given), cheap = run_of(plan, "standing_wave_2d");
+    CHECK(habit.errors->l2 > 0.01);
+    CHECK(cheap.particle_steps * 5 < habit.particle_steps);
+    REQUIRE(plan.ladder.size() >= 3);
+    CHECK(plan.ladder.back().cpu_s < plan.ladder.front().cpu_s);
+}
+
+TEST_CASE("an axis along which nothing changes is dropped, and the others move up", "[plan]") {
+    const Plan along_x = make_plan(open_case(), "open.json", {}, registry());
+    CHECK(along_x.document["dimension"] == 1);
+    CHECK(along_x.document["reference"]["wave_number"].size() == 1);
+    Json turned = open_case();
+    turned["particles"]["upper"] = {1, 4};
+    turned["boundaries"] = Json::parse(R"([{"type": "periodic", "face": "y"}, {"type": "rigid", "face": "x"}])");
+    turned["initial"] = Json::parse(R"json({"p": "cos(pi*y)", "u": ["0", "cos(pi*y)/(rho0*c0)"]})json");
+    turned["reference"]["wave_number"] = {0, 3.141592653589793};
+    const Plan along_y = make_plan(turned, "open.json", {}, registry());
+    CHECK(along_y.document == along_x.document);
+    Json crossing = open_case();
+    crossing["initial"] = {{"p", "cos(pi*x)*cos(pi*y)"}};
+    crossing["reference"] = Json::parse(R"({"type": "standing_wave", "wave_number": [3.141592653589793, 3.141592653589793]})");
+    CHECK(make_plan(crossing, "open.json", {.target = 0.1}, registry()).document["dimension"] == 2);
+}
+
+TEST_CASE("what a case decides itself stays as it is", "[plan]") {
+    Json given = open_case();
+    given["method"] = {{"type", "particles"}};
+    given["kernel"] = {{"type", "cubic_spline"}, {"h_over_dx", 1.0}};
+    given["equations"] = "corrected_acoustics";
+    const Plan plan = make_plan(given, "open.json", {}, registry());
+    for (const char* key : {"method", "kernel", "equations"}) CHECK(plan.document[key] == given[key]);
+    CHECK(plan.document["particles"].contains("dx"));
+    const Case c = load_case(plan.document, "open.json", registry());
+    CHECK(run(c).errors->l2 <= 0.01);
+}
+
+TEST_CASE("layers are made to return less than half of the target", "[plan]") {
+    Json layered = Json::parse(R"json({"dimension": 1, "medium": {"c0": 340, "rho0": 1.2}, "particles": {"type": "lattice", "lower": [-6], "upper": [6]},
+        "boundaries": [{"type": "absorbing_layer", "face": "x", "thickness": 2}], "initial": {"p": "exp(-(x/0.4)^2)"}, "until": 0.008,
+        "reference": {"type": "pulse", "width": 0.4, "region": "abs(x) < 3.5"}})json");
+    const Plan plan = make_plan(layered, "open.json", {.target = 0.001}, registry());
+    CHECK(plan.document["boundaries"][0]["attenuation"] == 66);
+    layered["boundaries"][0]["attenuation"] = 40;
+    const Plan weak = make_plan(layered, "open.json", {.target = 0.001}, registry());
+    REQUIRE(weak.warnings.size() >= 1);
+    CHECK_THAT(weak.warnings[0], Catch::Contains("/boundaries/0/attenuation") && Catch::Contains("66 dB"));
+}
+
+TEST_CASE("a case that cannot be planned is refused at its place", "[plan]") {
+    Json without = open_case();
+    without.erase("particles");
+    CHECK_THAT(refusal(without), Catch::Contains("open.json: /particles"));
+    without = open_case();
+    without["particles"]["upper"] = {4};
+    CHECK_THAT(refusal(without), Catch::Contains("/particles/upper"));
+    Json still = open_case();
+    still["particles"]["dx"] = 0.5;
+    still["method"] = {{"type", "particles"}};
+    still["kernel"] = {{"type", "cubic_spline"}, {"h_over_dx", 2.0}};
+    still["equations"] = "corrected_acoustics";
+    CHECK_THAT(refusal(still), Catch::Contains("/accuracy/target") && Catch::Contains("the nearest is"));
+    CHECK_THROWS_WITH(load_case(Json::parse(R"({"accuracy": {"target": 0.01}})"), "open.json", registry()), Catch::Contains("/accuracy") && Catch::Contains("still to be planned"));
+    CHECK_THROWS_WITH(plan_request(Json::parse(R"({"accuracy": {"target": 3}})"), "open.json"), Catch::Contains("/accuracy/target") && Catch::Contains("between"));
+    CHECK_THROWS_WITH(plan_request(Json::parse(R"({"accuracy": {"goal": 3}})"), "open.json"), Catch::Contains("/accuracy/goal"));
+}
