@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 
-#include <sys/prctl.h>
 
 #include <sphonic/error.hpp>
 #include <sphonic/log.hpp>
@@ -65,7 +63,7 @@ int run_one_point(const Study& study, Registry& registry, const fs::path& folder
     const auto index = std::size_t(options.point) - 1;
     if (index >= study.points.size())
         throw Error(Fault::input, "--point", std::to_string(options.point) + " is not there", study.file.string() + " has " + std::to_string(study.points.size()) + " points");
-    if (options.beside) prctl(PR_SET_PDEATHSIG, SIGKILL);    // nothing is left behind by a launcher that is killed
+    if (options.beside) end_with_launcher();
     open_study(study, registry, folder, false, index);
     run_here(study, registry, folder, {.only = index, .side_by_side = options.beside});
     return 0;

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,6 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+/// Tells points who started them: one that ended before a point could ask to be told is then noticed too.
+constexpr const char* launcher_variable = "SPHONIC_LAUNCHER";
 
 /// This program again, for one point of the study; from any folder.
 Words command_for(const fs::path& folder, const StudyOptions& options, std::size_t point) {
@@ -98,6 +103,7 @@ void run_jobs(const Study& study, const fs::path& folder, const StudyOptions& op
     using Clock = std::chrono::steady_clock;
     const Interruptible interruptible;
     const auto points = unfinished_points(study, folder);
+    setenv(launcher_variable, std::to_string(getpid()).c_str(), 1);
     const auto begin = Clock::now();
     Workers workers(fs::absolute(folder / "jobs.log"));
     StudyBar bar;
@@ -112,6 +118,12 @@ void run_jobs(const Study& study, const fs::path& folder, const StudyOptions& op
         const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
         bar.show(done, points.size(), spent * double(points.size() - done) / double(done));
     }
+}
+
+void end_with_launcher() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const char* launcher = std::getenv(launcher_variable);
+    if (launcher && std::to_string(getppid()) != launcher) raise(SIGKILL);
 }
 
 int write_jobs(const Study& study, const fs::path& folder, const StudyOptions& options) {
