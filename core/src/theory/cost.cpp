@@ -9,7 +9,7 @@ namespace sphonic {
 namespace {
 
 /// The ends of a row take the time of so many particles; a call for rates takes so long whatever the set [ns].
-constexpr double row_ends = 13, each_call = 400;
+constexpr double row_ends = 13, each_call = 150;
 
 /// Of what could ideally be saved where particles sleep.
 constexpr double saving = 0.8;

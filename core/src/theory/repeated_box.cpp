@@ -14,13 +14,18 @@ Face face_of(const Case& scene, int axis, bool upper) {
     return face->closure() == abi::Closure::periodic ? Face::periodic : Face::mirror;
 }
 
+/// Spacings from which no sound comes back by the end of the run.
+double room_of(const Case& scene) { return std::ceil(1.1 * scene.medium.c0 * scene.until / scene.box.dx) + 8; }
+
 }    // namespace
 
 bool repeats(const Case& scene) {
+    constexpr double most_room = 1e6;    // spacings beyond an open face
+    const bool leaves = room_of(scene) < most_room;
     if (!scene.regular() || scene.media->several()) return false;
     for (int a = 0; a < scene.box.dimension; ++a)
         for (const bool upper : {false, true})
-            if (face_of(scene, a, upper) == Face::other) return false;
+            if (const Face face = face_of(scene, a, upper); face == Face::other || (face == Face::open && !leaves)) return false;
     return true;
 }
 
@@ -37,7 +42,7 @@ RepeatedBox::RepeatedBox(const Case& scene) : scene_(scene) {
 void RepeatedBox::unfold(int a) {
     const abi::Box& box = scene_.box;
     const Face ends[2] = {face_of(scene_, a, false), face_of(scene_, a, true)};
-    const long n = box.count[a], room = long(std::ceil(1.1 * scene_.medium.c0 * scene_.until / box.dx)) + 8;
+    const long n = box.count[a], room = long(std::min(room_of(scene_), 1e18));
     const auto at = [&](double s) { return box.lower[a] + s * box.dx; };
     opened_ = opened_ || ends[0] == Face::open || ends[1] == Face::open;
     if (ends[0] == Face::periodic || (ends[0] == Face::open && ends[1] == Face::open)) {
