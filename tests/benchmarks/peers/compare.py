@@ -7,22 +7,21 @@ The same standing wave (pysph_wave.py, standing_wave.json): periodic box, cubic 
 weakly compressible scheme, predictor and corrector with one evaluation per step, which for linear rates is leapfrog_li2015. sphonic:
 moving particles with the nonlinear equations and this integrator, and the linear ones by leapfrog on a frozen lattice without viscosity.
 """
-import json
 import os
 import pathlib
 import statistics
 import subprocess
 import sys
-import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+from standing_wave import DRIVER, LATTICE, VISCOUS, summary  # noqa: E402
+
 SCENES = {    # particles to a side, steps of PySPH, moving and frozen
     2: (256, 10, 60, 2000),
     3: (40, 5, 30, 600),
 }
 TARGETS = {2: (9, 230), 3: (14, 230)}
-VISCOUS = ["/viscosity=" + json.dumps({"type": "monaghan", "alpha": 0.06, "beta": 0})]
-FROZEN = ["/particles/motion=frozen", "/equations=linear_acoustics", "/integrator/type=leapfrog"]
 
 
 def peer(dimension, n, steps):
@@ -31,24 +30,16 @@ def peer(dimension, n, steps):
     return float(out.stdout.split()[-1])
 
 
-def ours(driver, dimension, n, steps, settings=()):
-    axes = range(dimension)
-    assignments = [f"/dimension={dimension}", f"/particles/dx={1 / n!r}", f"/until={0.2999 * steps / n!r}",
-                   "/particles/lower=" + json.dumps([0 for _ in axes]), "/particles/upper=" + json.dumps([1 for _ in axes]),
-                   "/initial/u=" + json.dumps(["1e-3*sin(2*pi*x)"] + ["0"] * (dimension - 1)), *settings]
-    sets = [word for assignment in assignments for word in ("--set", assignment)]
-    with tempfile.TemporaryDirectory() as folder:
-        out = subprocess.run([driver, "run", str(HERE / "standing_wave.json"), "--threads", "1", "--json", "--out", folder + "/out", *sets],
-                             check=True, capture_output=True, text=True)
-    return json.loads(out.stdout)["ns_per_particle_step"]
+def ns(run):
+    return run["ns_per_particle_step"]
 
 
 def main():
-    driver = sys.argv[1] if len(sys.argv) > 1 else str(HERE.parents[2] / "build/release/bin/sphonic")
+    driver = sys.argv[1] if len(sys.argv) > 1 else DRIVER
     rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 5
     print("| box | PySPH, ns | moving, ns | frozen lattice, ns | moving faster by (target) | lattice faster by (target) |\n|---|---|---|---|---|---|")
     for dimension, (n, *steps) in SCENES.items():
-        times = [(peer(dimension, n, steps[0]), ours(driver, dimension, n, steps[1], VISCOUS), ours(driver, dimension, n, steps[2], FROZEN))
+        times = [(peer(dimension, n, steps[0]), ns(summary(driver, dimension, n, steps[1], VISCOUS)), ns(summary(driver, dimension, n, steps[2], LATTICE)))
                  for _ in range(rounds)]
         p, m, f = (statistics.median(column) for column in zip(*times))
         ratios = [statistics.median(row[0] / row[k] for row in times) for k in (1, 2)]
