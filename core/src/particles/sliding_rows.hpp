@@ -64,10 +64,13 @@ public:
     static constexpr int V = 5 * columns <= 25 ? 2 : 1;    ///< vectors at a time, so that all columns stay in registers
     using Window = Gathered<R, E, V>;
 
+    /// What the next row is the first to read and to write is fetched meanwhile: no prefetcher follows so many rows.
     static void apply(const SlidingStencil& stencil, const double* const* f, std::ptrdiff_t offset, long n, const Finish& finish, double* const* out) {
         Window behind(stencil, f, offset - V * lanes), here(stencil, f, offset);
         for (long i = 0; i < n; i += V * lanes) {
             const Window ahead(stencil, f, offset + i + V * lanes);
+#pragma GCC unroll 2
+            for (int v = 0; v < V; ++v) fetch_next(stencil, f, offset + i + v * lanes, out);
 #pragma GCC unroll 2
             for (int v = 0; v < V; ++v) {
                 const Step step{behind, here, ahead, v};
@@ -87,6 +90,12 @@ public:
     }
 
 private:
+    [[gnu::always_inline]] static void fetch_next(const SlidingStencil& stencil, const double* const* f, std::ptrdiff_t i, double* const* out) {
+        for (int c = 0; c < stencil.components; ++c) __builtin_prefetch(f[c] + i + stencil.next);
+#pragma GCC unroll 3
+        for (int o = 0; o < outputs; ++o) __builtin_prefetch(out[o] + i + stencil.next_own, 1);
+    }
+
     struct Step {
         const Window &behind, &here, &ahead;
         int v;

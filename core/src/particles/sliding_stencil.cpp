@@ -21,11 +21,13 @@ SlidingStencil::Row& SlidingStencil::row(std::vector<Row>& rows, int component, 
     return known != rows.end() ? *known : rows.emplace_back(Row{component, at});
 }
 
-SlidingStencil::SlidingStencil(const Layout& layout, const std::vector<Offset>& stencil, double factor, bool gradient) {
+SlidingStencil::SlidingStencil(const Layout& layout, const std::vector<Offset>& stencil, double factor, bool gradient)
+    : components(gradient ? 1 : layout.dimension), next(layout.stride[1]), next_own(layout.stride[1]) {
     int farthest = 0;
     double largest = 0;
     for (const Offset& n : stencil) {
         farthest = std::max(farthest, n.o[0]);
+        next = std::max(next, n.o[1] * layout.stride[1] + n.o[2] * layout.stride[2] + layout.stride[1]);
         for (const double g : n.gradient) largest = std::max(largest, std::abs(g));
     }
     const double round_off = 1e-14 * largest;

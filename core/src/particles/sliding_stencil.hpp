@@ -22,6 +22,8 @@ struct SlidingStencil {
     };
     int reach = 0;    ///< 0 where the stencil lacks that symmetry or reaches too far
     std::vector<Row> sums, differences, both;
+    int components;                ///< that are read
+    std::ptrdiff_t next, next_own; ///< from a particle to what those of the next row are the first to read, and to their own places
 
     /// A gradient has one component and a set of columns B for each of d/dy, d/dz; a divergence d components and one set.
     SlidingStencil(const Layout& layout, const std::vector<Offset>& stencil, double factor, bool gradient);
