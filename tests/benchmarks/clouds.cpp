@@ -19,9 +19,9 @@ void half_step(benchmark::State& state, abi::Group group, Case from) {
     auto& [scene, started] = prepare<Started>(std::move(from));
     ParticleSystem& system = started.system;
     for (auto _ : state) system.advance(group, 0, 1e-9);
-    const double pairs = double(system.particles()) * system.tier().neighbours_mean();
+    const double pairs = double(system.particles()) * system.neighbours_mean();
     nanoseconds_per(state, "pair", pairs);
-    state.counters["neighbours"] = system.tier().neighbours_mean();
+    state.counters["neighbours"] = system.neighbours_mean();
     const int d = scene.box.dimension;
     floor_of(state, {2.0 * d, 4 + 8.0 * d, (4 + 8.0 * d) * pairs});
 }
@@ -31,8 +31,8 @@ void both_sides(benchmark::State& state, Case from) {
     ParticleSystem& system = prepare<Started>(std::move(from)).made.system;
     const abi::Slot out = system.history("benchmark");
     for (auto _ : state) system.rate(abi::everything, 0, out);
-    nanoseconds_per(state, "pair", double(system.particles()) * system.tier().neighbours_mean());
-    state.counters["neighbours"] = system.tier().neighbours_mean();
+    nanoseconds_per(state, "pair", double(system.particles()) * system.neighbours_mean());
+    state.counters["neighbours"] = system.neighbours_mean();
 }
 
 void frozen_1d(benchmark::State& state) { steps(state, lattice(1, 2500, 3.25, {jitter})); }

@@ -21,6 +21,11 @@ void lattice_2d_walls_two_media(benchmark::State& state) {
     steps(state, lattice(2, 512, 1.3, {rigid, "/equations=acoustics", R"(/medium=[{"c0":1,"rho0":1},{"c0":2,"rho0":3,"region":"x + y/3 > 300"}])"}));
 }
 
+const std::string single = "/precision=single";
+void lattice_1d_single(benchmark::State& state) { steps(state, lattice(1, 2500, 3.25, {single})); }
+void lattice_2d_single(benchmark::State& state) { steps(state, lattice(2, 512, 1.3, {single})); }
+void lattice_3d_single(benchmark::State& state) { steps(state, lattice(3, 128, 1.3, {single})); }
+
 /// What fills the ghosts of the three fields of lattice_2d_walls: a part of its step.
 void ghosts_2d(benchmark::State& state) {
     const Case scene = lattice(2, 512, 1.3, {rigid});
@@ -77,6 +82,9 @@ BENCHMARK(lattice_1d_monaghan);
 BENCHMARK(lattice_1d_h_equals_dx);
 BENCHMARK(lattice_2d);
 BENCHMARK(lattice_2d_monaghan);
+BENCHMARK(lattice_1d_single);
+BENCHMARK(lattice_2d_single);
+BENCHMARK(lattice_3d_single);
 BENCHMARK(lattice_2d_walls);
 BENCHMARK(lattice_2d_walls_corrected);
 BENCHMARK(lattice_2d_walls_two_media);

@@ -26,6 +26,8 @@ enum class Motion { frozen, lagrangian };
 enum class Neighbours { automatic, lattice, frozen, moving };
 /// Which particles are stepped: those that matter to what is asked for, or all.
 enum class Active { automatic, all };
+/// Of the fields of a lattice.
+enum class Precision { usual, single };
 
 struct SourceUse {
     std::unique_ptr<abi::Source> source;
@@ -105,6 +107,7 @@ struct Case {
     StepChoice step;
     double until = 0;    ///< [s]
     Active active = Active::automatic;
+    Precision precision = Precision::usual;
     std::optional<ReferenceUse> reference;
     Output output;
     std::unique_ptr<abi::Method> method;

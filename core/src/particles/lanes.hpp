@@ -11,15 +11,33 @@ namespace sphonic {
 inline constexpr int lanes = 8;
 using Lane = double __attribute__((vector_size(8 * lanes)));
 
+/// The same width of either precision.
+template <class Real>
+inline constexpr int lanes_of = 64 / int(sizeof(Real));
+template <class Real>
+struct WidestVector;
+template <>
+struct WidestVector<double> {
+    using Type = Lane;
+};
+template <>
+struct WidestVector<float> {
+    using Type = float __attribute__((vector_size(64)));
+};
+template <class Real>
+using LaneOf = typename WidestVector<Real>::Type;
+
 /// Values that vector-wise loops may read or write beyond the end of an array.
 inline constexpr long overrun = lanes;
 
-inline Lane load(const double* p) {
-    Lane v;
+template <class Real>
+inline LaneOf<Real> load(const Real* p) {
+    LaneOf<Real> v;
     std::memcpy(&v, p, sizeof v);
     return v;
 }
-inline void store(double* p, Lane v) { std::memcpy(p, &v, sizeof v); }
+template <class Real>
+inline void store(Real* p, LaneOf<Real> v) { std::memcpy(p, &v, sizeof v); }
 
 /// What comparing vectors gives: all bits set where true.
 using Mask = decltype(Lane{} < Lane{});

@@ -28,7 +28,8 @@ long LatticeGhosts::columns(int axis) const {
     return product;
 }
 
-void LatticeGhosts::fill(int component, double* field, const double* pressure, double t) {
+template <class Real>
+void LatticeGhosts::fill(int component, Real* field, const Real* pressure, double t) {
     for (int a = 0; a < layout_.dimension; ++a) {
         if (scene_.box.periodic[a]) {
             if (reached(a, false) || reached(a, true)) wrap(field, a);
@@ -49,20 +50,21 @@ bool LatticeGhosts::reached(int axis, bool upper) const { return tiles_.reaches(
 bool LatticeGhosts::worthwhile(int axis) const { return columns(axis) * layout_.ghosts[axis] > 20 * block_length; }
 
 /// Calls line(first particle of a line along the axis, column) for all lines, those through the ghosts of other axes too.
-template <class Line>
-void LatticeGhosts::for_lines(double* field, int axis, Line line) const {
+template <class Real, class Line>
+void LatticeGhosts::for_lines(Real* field, int axis, Line line) const {
     const Layout& l = layout_;
     const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
     const long in_row = l.count[b] + 2 * l.ghosts[b];
     in_parallel(worthwhile(axis) ? threads_ : 1, l.count[c] + 2 * l.ghosts[c], [=, &l](long k) {
-        double* row = field + l.origin - l.ghosts[b] * l.stride[b] + (k - l.ghosts[c]) * l.stride[c];
+        Real* row = field + l.origin - l.ghosts[b] * l.stride[b] + (k - l.ghosts[c]) * l.stride[c];
         for (long j = 0; j < in_row; ++j) line(row + j * l.stride[b], k * in_row + j);
     });
 }
 
-void LatticeGhosts::wrap(double* field, int axis) const {
+template <class Real>
+void LatticeGhosts::wrap(Real* field, int axis) const {
     const long n = layout_.count[axis], g = layout_.ghosts[axis], step = layout_.stride[axis];
-    for_lines(field, axis, [=](double* line, long) {
+    for_lines(field, axis, [=](Real* line, long) {
         for (long i = 1; i <= g; ++i) {
             line[-i * step] = line[(n - 1 - (i - 1) % n) * step];
             line[(n - 1 + i) * step] = line[(i - 1) % n * step];
@@ -70,14 +72,15 @@ void LatticeGhosts::wrap(double* field, int axis) const {
     });
 }
 
-void LatticeGhosts::mirror(double* field, int component, int axis, bool upper) const {
+template <class Real>
+void LatticeGhosts::mirror(Real* field, int component, int axis, bool upper) const {
     const abi::Boundary& wall = *scene_.face(axis, upper);
-    const double sign = wall.parity(components_.part(component, axis)), rest = components_.rest(component);
+    const Real sign = Real(wall.parity(components_.part(component, axis))), rest = Real(components_.rest(component));
     const long n = layout_.count[axis], g = layout_.ghosts[axis], own = wall.half_way() ? 1 : 0;
     const long step = upper ? layout_.stride[axis] : -layout_.stride[axis], face = upper ? (n - 1) * layout_.stride[axis] : 0;
     const bool vanishes = sign < 0 && own == 0;
-    for_lines(field, axis, [=](double* line, long) {
-        double* last = line + face;
+    for_lines(field, axis, [=](Real* line, long) {
+        Real* last = line + face;
         if (vanishes) *last = rest;
         for (long i = 1; i <= g; ++i) last[i * step] = rest + sign * (last[(own - i) * step] - rest);
     });
@@ -125,7 +128,8 @@ std::vector<LatticeGhosts::Stretch> LatticeGhosts::stretches(int axis, bool uppe
     return all;
 }
 
-void LatticeGhosts::layers(double* field, const double* pressure, int component, double t, int axis, bool upper) {
+template <class Real>
+void LatticeGhosts::layers(Real* field, const Real* pressure, int component, double t, int axis, bool upper) {
     const long n = layout_.count[axis], g = layout_.ghosts[axis];
     auto& kept = memory_[std::size_t(6 * component + 2 * axis + upper)];
     if (!kept) {
@@ -136,9 +140,9 @@ void LatticeGhosts::layers(double* field, const double* pressure, int component,
     const abi::Part part = components_.part(component, axis);
     const long step = upper ? layout_.stride[axis] : -layout_.stride[axis], face = upper ? (n - 1) * layout_.stride[axis] : 0;
     const double sign = part == abi::Part::normal && !upper ? -1 : 1, rest = components_.rest(component);    // outwards is positive
-    for_lines(field, axis, [&](double* line, long column) {
+    for_lines(field, axis, [&](Real* line, long column) {
         for (long k = 0; k <= g + 1; ++k) {
-            const double* at = line + face - std::min(k, n - 1) * step;
+            const Real* at = line + face - std::min(k, n - 1) * step;
             memory.inner.pointers[std::size_t(k)][column] = sign * (*at - rest);
             memory.pressure.pointers[std::size_t(k)][column] = pressure[at - field];
         }
@@ -151,9 +155,12 @@ void LatticeGhosts::layers(double* field, const double* pressure, int component,
                                         .dx = scene_.box.dx, .medium = media_.list()[std::size_t(s.medium)], .inner = inner.data(),
                                         .pressure = p.data(), .memory = kept.data(), .ghost = ghost.data()});
     }
-    for_lines(field, axis, [&](double* line, long column) {
-        for (long k = 0; k <= g; ++k) line[face + k * step] = rest + sign * memory.ghost.pointers[std::size_t(k)][column];
+    for_lines(field, axis, [&](Real* line, long column) {
+        for (long k = 0; k <= g; ++k) line[face + k * step] = Real(rest + sign * memory.ghost.pointers[std::size_t(k)][column]);
     });
 }
+
+template void LatticeGhosts::fill<double>(int, double*, const double*, double);
+template void LatticeGhosts::fill<float>(int, float*, const float*, double);
 
 }    // namespace sphonic

@@ -19,7 +19,8 @@ public:
     LatticeGhosts(const Case& scene, const Components& components, const ParticleMedia& media, const Layout& layout, const LatticeTiles& tiles, int threads);
 
     /// Fills the ghosts of one component, whose values are those of time t [s], of faces that what is stepped comes near to; walls with memory always. `pressure` is that of p, as it stands.
-    void fill(int component, double* field, const double* pressure, double t);
+    template <class Real>
+    void fill(int component, Real* field, const Real* pressure, double t);
     /// Forgets what layers with memory were before.
     void restart();
     /// What they now were.
@@ -60,11 +61,14 @@ private:
     std::vector<Stretch> stretches(int axis, bool upper) const;
     bool worthwhile(int axis) const;
     bool reached(int axis, bool upper) const;
-    template <class Line>
-    void for_lines(double* field, int axis, Line line) const;
-    void wrap(double* field, int axis) const;
-    void mirror(double* field, int component, int axis, bool upper) const;
-    void layers(double* field, const double* pressure, int component, double t, int axis, bool upper);
+    template <class Real, class Line>
+    void for_lines(Real* field, int axis, Line line) const;
+    template <class Real>
+    void wrap(Real* field, int axis) const;
+    template <class Real>
+    void mirror(Real* field, int component, int axis, bool upper) const;
+    template <class Real>
+    void layers(Real* field, const Real* pressure, int component, double t, int axis, bool upper);
 };
 
 }    // namespace sphonic

@@ -158,7 +158,8 @@ void MendedRows::add_row(const Site& site, bool end) {
     rows_.push_back(row);
 }
 
-void MendedRows::mend(const double* const* f, double* const* out, double scale) const {
+template <class Real>
+void MendedRows::mend(const Real* const* f, Real* const* out, double scale) const {
     const int d = grid_.layout.dimension;
     const bool gradient = term_.op == Term::Operator::gradient;
     const auto place = [this](long r) { return rows_[std::size_t(r)].at; };
@@ -169,9 +170,12 @@ void MendedRows::mend(const double* const* f, double* const* out, double scale) 
             for (int a = 0; a < d; ++a) sum[a] = row.own[a] * f[gradient ? 0 : a][row.at];
             for (const Entry* entry = entries_.data() + row.begin; entry != entries_.data() + row.end; ++entry)
                 for (int a = 0; a < d; ++a) sum[a] += entry->weight[a] * f[gradient ? 0 : a][entry->at];
-            for (int a = 0; a < d; ++a) out[gradient ? a : 0][row.at] += scale * sum[a];
+            for (int a = 0; a < d; ++a) out[gradient ? a : 0][row.at] += Real(scale * sum[a]);
         }
     });
 }
+
+template void MendedRows::mend<double>(const double* const*, double* const*, double) const;
+template void MendedRows::mend<float>(const float* const*, float* const*, double) const;
 
 }    // namespace sphonic

@@ -15,7 +15,8 @@ public:
     MendedRows(const LatticeGrid& grid, const Term& term, const std::vector<std::vector<Offset>>& stencils);
 
     /// Adds what is missing. `f` are the operand's components, `out` the targets.
-    void mend(const double* const* f, double* const* out, double scale) const;
+    template <class Real>
+    void mend(const Real* const* f, Real* const* out, double scale) const;
 
 private:
     using Vector = std::array<double, 3>;

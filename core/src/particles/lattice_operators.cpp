@@ -1,6 +1,8 @@
 #include "lattice_operators.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "lattice_mends.hpp"
 #include "parallel.hpp"
@@ -11,20 +13,21 @@ namespace sphonic {
 namespace {
 
 /// The interior's weights of one medium, made ready for sliding rows and, by pairs, for a gradient and for a divergence.
+template <class Real>
 struct FoldedStencil {
     FoldedStencil(const LatticeGrid& grid, const std::vector<Offset>& stencil, double factor, bool gradient)
         : sliding(grid.layout, stencil, factor, gradient) {
         for (const Offset& n : half_neighbours(stencil)) {
-            FoldedPair pair{grid.stride(n), {}};
-            for (int a = 0; a < 3; ++a) pair.weight[a] = factor * n.gradient[a];
+            FoldedPair<Real> pair{grid.stride(n), {}};
+            for (int a = 0; a < 3; ++a) pair.weight[a] = Real(factor * n.gradient[a]);
             pairs.push_back(pair);
             for (int a = 0; a < 3; ++a)
                 if (pair.weight[a] != 0) taps[a].push_back({pair.at, pair.weight[a]});
         }
     }
-    SlidingStencil sliding;
-    std::vector<FoldedPair> pairs;
-    std::vector<FoldedTap> taps[3];
+    SlidingStencil<Real> sliding;
+    std::vector<FoldedPair<Real>> pairs;
+    std::vector<FoldedTap<Real>> taps[3];
 };
 
 /// By medium.
@@ -36,8 +39,11 @@ std::vector<std::vector<Offset>> interior(const LatticeGrid& grid, const Term& t
 }
 
 /// Gradient or divergence: interior by sliding rows, or, along one axis and where those do not apply, by folded pairs, what they leave wrong mended afterwards.
-class Derivative final : public LatticeOperator {
+template <class Real>
+class Derivative final : public LatticeTerm<Real> {
 public:
+    using Step = EvaluationOf<Real>;
+
     Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
         : Derivative(grid, components, term, std::move(target), interior(grid, term)) {}
 
@@ -55,11 +61,11 @@ public:
         for (const Factor& f : term.factors) factors_.push_back({components.first[std::size_t(f.variable)], f.power});
     }
 
-    void apply(const Evaluation& e) override {
+    void apply(const Step& e) override {
         if (!factors_.empty()) return apply_with_factors(e);
-        double* out[3];
+        Real* out[3];
         for (std::size_t a = 0; a < target_.size(); ++a) out[a] = e.out[target_[a]];
-        sweep(e, out, {e.scale, e.assign});
+        sweep(e, out, {Real(e.scale), e.assign});
     }
 
 private:
@@ -70,19 +76,19 @@ private:
     const LatticeGrid& grid_;
     const Term& term_;
     std::vector<int> target_, operand_;
-    std::vector<FoldedStencil> stencils_;    ///< by medium
+    std::vector<FoldedStencil<Real>> stencils_;    ///< by medium
     MendedRows mended_;
     std::vector<PowerOf> factors_;
-    Array scratch_[3];
+    ArrayOf<Real> scratch_[3];
 
-    using Fields = const double* const*;
+    using Fields = const Real* const*;
 
     template <int D>
-    void sweep_in(const Evaluation& e, double* const* out, const Finish& finish) const {
-        const double* f[3] = {};
+    void sweep_in(const Step& e, Real* const* out, const Finish<Real>& finish) const {
+        const Real* f[3] = {};
         for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
         grid_.for_blocks([&](int medium, long offset, long n) {
-            const FoldedStencil& s = stencils_[std::size_t(medium)];
+            const FoldedStencil<Real>& s = stencils_[std::size_t(medium)];
             switch (D > 1 && columns_fit ? s.sliding.reach : 0) {
                 case 1: slide<D, 1>(s.sliding, f, offset, n, finish, out); break;
                 case 2: slide<D, 2>(s.sliding, f, offset, n, finish, out); break;
@@ -94,23 +100,23 @@ private:
     }
 
     template <int D, int R>
-    void slide(const SlidingStencil& s, Fields f, long offset, long n, const Finish& finish, double* const* out) const {
+    void slide(const SlidingStencil<Real>& s, Fields f, long offset, long n, const Finish<Real>& finish, Real* const* out) const {
         if (target_.size() > 1)
-            SlidingRow<R, std::max(1, D - 1), true>::apply(s, f, offset, n, finish, out);
+            SlidingRow<Real, R, std::max(1, D - 1), true>::apply(s, f, offset, n, finish, out);
         else
-            SlidingRow<R, 1, false>::apply(s, f, offset, n, finish, out);
+            SlidingRow<Real, R, 1, false>::apply(s, f, offset, n, finish, out);
     }
 
     template <int D>
-    void sweep_pairs(const FoldedStencil& s, Fields f, long offset, long n, const Finish& finish, double* const* out) const {
+    void sweep_pairs(const FoldedStencil<Real>& s, Fields f, long offset, long n, const Finish<Real>& finish, Real* const* out) const {
         constexpr int wide = D == 3 ? 3 : 4;
         if (term_.op == Term::Operator::gradient)
-            sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, s.pairs.data(), s.pairs.size(), sum); });
+            sweep_row<D, wide>(offset, n, finish, out, [&](std::ptrdiff_t i, auto& sum) { gradient_block(f[0] + i, s.pairs, sum); });
         else
-            sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, Lane(&sum)[1][V]) { divergence_block<D, V>(f, i, s.taps, sum); });
+            sweep_row<1, 4>(offset, n, finish, out, [&]<int V>(std::ptrdiff_t i, LaneOf<Real>(&sum)[1][V]) { divergence_block<Real, D, V>(f, i, s.taps, sum); });
     }
 
-    void sweep(const Evaluation& e, double* const* out, const Finish& finish) const {
+    void sweep(const Step& e, Real* const* out, const Finish<Real>& finish) const {
         switch (grid_.scene.box.dimension) {
             case 1: return sweep_in<1>(e, out, finish);
             case 2: return sweep_in<2>(e, out, finish);
@@ -119,11 +125,11 @@ private:
     }
 
     /// The derivative into scratch, then multiplied by powers of variables.
-    void apply_with_factors(const Evaluation& e) {
+    void apply_with_factors(const Step& e) {
         const Layout& l = grid_.layout;
-        double* out[3];
+        Real* out[3];
         for (std::size_t a = 0; a < target_.size(); ++a) {
-            if (!scratch_[a].data()) scratch_[a] = Array(std::size_t(l.size));
+            if (!scratch_[a].data()) scratch_[a] = ArrayOf<Real>(std::size_t(l.size));
             out[a] = scratch_[a].data();
         }
         sweep(e, out, {1, true});
@@ -133,20 +139,21 @@ private:
             });
     }
 
-    void multiply_row(const Evaluation& e, double* __restrict value, double* __restrict target, long offset, long n) const {
+    void multiply_row(const Step& e, Real* __restrict value, Real* __restrict target, long offset, long n) const {
         for (const PowerOf& factor : factors_) {
-            const double* __restrict f = e.state[factor.component] + offset;
+            const Real* __restrict f = e.state[factor.component] + offset;
             for (int p = 0; p < std::abs(factor.power); ++p)
                 for (long i = 0; i < n; ++i) value[i] = factor.power > 0 ? value[i] * f[i] : value[i] / f[i];
         }
-        for (long i = 0; i < n; ++i) target[i] = e.assign ? e.scale * value[i] : target[i] + e.scale * value[i];
+        const Real scale = Real(e.scale);
+        for (long i = 0; i < n; ++i) target[i] = e.assign ? scale * value[i] : target[i] + scale * value[i];
     }
 };
 
 }    // namespace
 
-LatticeGrid::LatticeGrid(const Case& scene, const ParticleMedia& media, long reach)
-    : scene(scene), media(media), layout(Layout::grid(scene.box, reach)), tiles(scene.box, layout), threads(threads_for(scene)) {
+LatticeGrid::LatticeGrid(const Case& scene, const ParticleMedia& media, long line)
+    : scene(scene), media(media), layout(Layout::grid(scene.box, long(std::floor(scene.radius() / scene.box.dx + 1e-9)), line)), tiles(scene.box, layout), threads(threads_for(scene)) {
     for (const KernelUse& use : scene.kernels) neighbours.push_back(lattice_neighbours(scene.box, use));
     if (!media.several()) return;
     layout.for_rows([&](long offset, long first) {
@@ -158,10 +165,23 @@ LatticeGrid::LatticeGrid(const Case& scene, const ParticleMedia& media, long rea
     });
 }
 
-std::unique_ptr<LatticeOperator> make_lattice_operator(const LatticeGrid& grid, const Components& components,
-                                                       const Term& term, const std::vector<int>& target) {
-    if (term.op == Term::Operator::viscosity) return make_lattice_viscosity(grid, components, term, target);
-    return std::make_unique<Derivative>(grid, components, term, target);
+double LatticeGrid::neighbours_mean() const {
+    std::size_t most = 0;
+    for (const auto& n : neighbours) most = std::max(most, n.size());
+    for (const Variable& v : scene.equations.variables)
+        for (const Term& term : v.terms)
+            for (const auto& fitted : term.fitted) most = std::max(most, 2 * fitted->weight.size());
+    return double(most);
 }
+
+template <class Real>
+std::unique_ptr<LatticeTerm<Real>> make_lattice_term(const LatticeGrid& grid, const Components& components, const Term& term, const std::vector<int>& target) {
+    if constexpr (std::is_same_v<Real, double>)
+        if (term.op == Term::Operator::viscosity) return make_lattice_viscosity(grid, components, term, target);
+    return std::make_unique<Derivative<Real>>(grid, components, term, target);
+}
+
+template std::unique_ptr<LatticeTerm<double>> make_lattice_term<double>(const LatticeGrid&, const Components&, const Term&, const std::vector<int>&);
+template std::unique_ptr<LatticeTerm<float>> make_lattice_term<float>(const LatticeGrid&, const Components&, const Term&, const std::vector<int>&);
 
 }    // namespace sphonic

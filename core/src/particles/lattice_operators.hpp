@@ -16,7 +16,8 @@ namespace sphonic {
 
 /// What all operators of one lattice share.
 struct LatticeGrid {
-    LatticeGrid(const Case& scene, const ParticleMedia& media, long reach);
+    /// For fields of vectors of `line` values.
+    explicit LatticeGrid(const Case& scene, const ParticleMedia& media, long line = 8);
 
     const Case& scene;
     const ParticleMedia& media;
@@ -46,6 +47,9 @@ struct LatticeGrid {
         });
     }
 
+    /// Without the ends of a bounded set, where particles have fewer.
+    double neighbours_mean() const;
+
     std::ptrdiff_t stride(const Offset& n) const {
         return n.o[0] + n.o[1] * layout.stride[1] + n.o[2] * layout.stride[2];
     }
@@ -67,17 +71,18 @@ private:
 };
 
 /// One term of one variable on a lattice.
-class LatticeOperator {
+template <class Real>
+class LatticeTerm {
 public:
-    virtual ~LatticeOperator() = default;
-    virtual void apply(const Evaluation& e) = 0;
+    virtual ~LatticeTerm() = default;
+    virtual void apply(const EvaluationOf<Real>& e) = 0;
 };
 
-std::unique_ptr<LatticeOperator> make_lattice_operator(const LatticeGrid& grid, const Components& components,
-                                                       const Term& term, const std::vector<int>& target);
+/// A derivative, or, of doubles, viscosity.
+template <class Real>
+std::unique_ptr<LatticeTerm<Real>> make_lattice_term(const LatticeGrid& grid, const Components& components, const Term& term, const std::vector<int>& target);
 
 /// In lattice_viscosity.cpp.
-std::unique_ptr<LatticeOperator> make_lattice_viscosity(const LatticeGrid& grid, const Components& components,
-                                                        const Term& term, const std::vector<int>& target);
+std::unique_ptr<LatticeTerm<double>> make_lattice_viscosity(const LatticeGrid& grid, const Components& components, const Term& term, const std::vector<int>& target);
 
 }    // namespace sphonic

@@ -10,7 +10,7 @@ namespace {
 
 /// du_i/dt = -sum_j m_j Pi_ij grad_i W_ij on a lattice: each offset's geometry is prepared once, then the plugin's
 /// functor runs over blocks of a row. Pairs along a row are folded: Pi_ij serves i and, shifted, j.
-class LatticeViscosity final : public LatticeOperator {
+class LatticeViscosity final : public LatticeTerm<double> {
 public:
     LatticeViscosity(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target)
         : grid_(grid), viscosity_(*term.viscosity), target_(std::move(target)) {
@@ -130,8 +130,7 @@ private:
 
 }    // namespace
 
-std::unique_ptr<LatticeOperator> make_lattice_viscosity(const LatticeGrid& grid, const Components& components,
-                                                        const Term& term, const std::vector<int>& target) {
+std::unique_ptr<LatticeTerm<double>> make_lattice_viscosity(const LatticeGrid& grid, const Components& components, const Term& term, const std::vector<int>& target) {
     return std::make_unique<LatticeViscosity>(grid, components, term, target);
 }
 

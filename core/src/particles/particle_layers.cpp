@@ -2,23 +2,26 @@
 
 #include "mirror_particles.hpp"
 #include "parallel.hpp"
+#include "particle_layers.hpp"
 #include "particle_system.hpp"
 
 /// What happens to fields once per step: layers along faces that damp them, and smoothing at the walls of obstacles,
 /// what flows into walls.
 namespace sphonic {
 
-void ParticleSystem::enlist_layers() {
-    const auto index = field_indices(layout());
+std::vector<Damped> damped_particles(const Case& scene, const ParticleMedia& media, const Layout& layout, const double* const* x) {
+    const auto index = field_indices(layout);
+    std::vector<Damped> layers;
     for (std::size_t i = 0; i < index.size(); ++i) {
         double rate = 0;
-        for (int a = 0; a < scene_.box.dimension; ++a)
+        for (int a = 0; a < scene.box.dimension; ++a)
             for (const bool upper : {false, true}) {
-                const double distance = std::abs(end_of_set(scene_, a, upper) - x_[a][i]);
-                if (const abi::Boundary* face = scene_.face(a, upper)) rate += face->damping(distance, media_.of(long(i)));
+                const double distance = std::abs(end_of_set(scene, a, upper) - x[a][i]);
+                if (const abi::Boundary* face = scene.face(a, upper)) rate += face->damping(distance, media.of(long(i)));
             }
-        if (rate > 0) layers_.push_back({index[i], rate});
+        if (rate > 0) layers.push_back({index[i], rate});
     }
+    return layers;
 }
 
 /// By the exact decay over a step, on all variables about their rest: once per step, whatever the integrator does within it.

@@ -5,6 +5,7 @@
 #include "form_fit.hpp"
 #include "mirror_particles.hpp"
 #include "particle_system.hpp"
+#include "single_system.hpp"
 #include "stencil.hpp"
 #include <sphonic/error.hpp>
 #include <sphonic/json.hpp>
@@ -13,9 +14,35 @@
 namespace sphonic {
 namespace {
 
+/// By the lattice's symbol alone?
+bool symbol_knows(const Case& scene) { return scene.regular() && !scene.media->several() && !fits_cloud(scene); }
+
+/// On a lattice of one medium by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is
+/// the assembled operator's. Fitted weights of a cloud damp besides: the leapfrog bears omega dt + sigma dt <= 2 with a
+/// damping sigma, others at least as much of their limit.
+StepLimit limit_of(const Case& scene, ParticleSystem& system) {
+    StepLimit limit = step_limit(scene);
+    if (symbol_knows(scene)) return limit;
+    constexpr double margin = 0.98;    // the largest frequency is approached from below
+    const double frequency = system.largest_frequency();
+    if (limit.frequency > 0) limit.dt *= margin * limit.frequency / (frequency + system.damping());
+    limit.frequency = frequency;
+    if (scene.equations.dissipate()) limit.dt = std::min(limit.dt, margin * decaying_limit(scene) / frequency);
+    return limit;
+}
+
+/// Found in double precision.
+StepLimit limit_of(const Case& scene, const SingleSystem&) {
+    if (symbol_knows(scene)) return step_limit(scene);
+    ParticleSystem twin(scene);
+    return limit_of(scene, twin);
+}
+
+/// What advances a system, ParticleSystem or SingleSystem, and measures it.
+template <class System>
 class ParticleSolver final : public abi::Solver {
 public:
-    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), limit_(limit(scene, system_)) { check_memory(); }
+    explicit ParticleSolver(const Case& scene) : scene_(scene), system_(scene), limit_(limit_of(scene, system_)) { check_memory(); }
 
     double dt_limit() const override { return limit_.dt; }
     bool weakly_unstable() const override { return limit_.weak; }
@@ -35,8 +62,8 @@ public:
     }
     double energy_bound() const override { return system_.budget().bound(time()); }
     double time() const override { return double(index_) * dt_; }
-    const char* tier() const override { return system_.tier().name(); }
-    double neighbours_mean() const override { return system_.tier().neighbours_mean(); }
+    const char* tier() const override { return system_.tier_name(); }
+    double neighbours_mean() const override { return system_.neighbours_mean(); }
     double memory_bytes() const override { return system_.bytes(); }
 
     double pressure(long point) override { return system_.value("p", point); }
@@ -101,22 +128,8 @@ private:
         return 0.5 * scene_.particle_volume() * sum;
     }
 
-    /// On a lattice of one medium by its symbol. Elsewhere the lattice's limit in units of the largest frequency, which then is
-    /// the assembled operator's. Fitted weights of a cloud damp besides: the leapfrog bears omega dt + sigma dt <= 2 with a
-    /// damping sigma, others at least as much of their limit.
-    static StepLimit limit(const Case& scene, ParticleSystem& system) {
-        StepLimit limit = step_limit(scene);
-        if (scene.regular() && !scene.media->several() && !fits_cloud(scene)) return limit;
-        constexpr double margin = 0.98;    // the largest frequency is approached from below
-        const double frequency = system.largest_frequency();
-        if (limit.frequency > 0) limit.dt *= margin * limit.frequency / (frequency + system.tier().damping());
-        limit.frequency = frequency;
-        if (scene.equations.dissipate()) limit.dt = std::min(limit.dt, margin * decaying_limit(scene) / frequency);
-        return limit;
-    }
-
     const Case& scene_;
-    ParticleSystem system_;
+    System system_;
     StepLimit limit_;
     double dt_ = 0;
     const char* all_because_ = "";    ///< why no particle may stand still
@@ -196,6 +209,9 @@ private:
 
 }    // namespace
 
-std::unique_ptr<abi::Solver> make_particle_solver(const Case& scene) { return std::make_unique<ParticleSolver>(scene); }
+std::unique_ptr<abi::Solver> make_particle_solver(const Case& scene) {
+    if (scene.precision == Precision::single) return std::make_unique<ParticleSolver<SingleSystem>>(scene);
+    return std::make_unique<ParticleSolver<ParticleSystem>>(scene);
+}
 
 }    // namespace sphonic

@@ -53,53 +53,22 @@ ParticleSystem::ParticleSystem(const Case& scene, const Sites& sites)
     make_parts();
     for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, media_, layout(), x);
     for (const SourceMembers& source : sources_) supplied_ = supplied_ || source.action.adds;
-    enlist_layers();
+    layers_ = damped_particles(scene, media_, layout(), x);
     if (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const Obstacle& o) { return o.walled(); }))
         smoothing_ = std::make_unique<WallSmoothing>(scene, sites, threads_);
 }
 
-ParticleSystem::Part ParticleSystem::make_part(std::vector<int> variables, bool positions) {
-    Part part{.variables = std::move(variables), .positions = positions && moving()};
-    for (const int v : part.variables)
-        for (int c = 0; c < scene_.equations.variables[std::size_t(v)].components(scene_.box.dimension); ++c)
-            part.components.push_back(components_.first[std::size_t(v)] + c);
+ParticleSystem::Part ParticleSystem::make_part(GroupParts parts) {
+    Part part{std::move(parts), nullptr};
     if (!part.variables.empty()) part.program = tier_->compile(part.variables);
-    part.reads_itself = reads(part);
     return part;
 }
 
-bool ParticleSystem::reads(const Part& part) const {
-    const auto& variables = scene_.equations.variables;
-    const auto within = [&](int v) {
-        return std::find(part.variables.begin(), part.variables.end(), evolved_behind(v)) != part.variables.end();
-    };
-    for (const int v : part.variables)
-        for (const Term& term : variables[std::size_t(v)].terms) {
-            if (within(term.operand)) return true;
-            if (!term.fitted.empty() && !scene_.on_lattice()) return true;    // it damps its own variable
-            for (const Factor& f : term.factors)
-                if (within(f.variable)) return true;
-        }
-    return part.positions && within(scene_.equations.velocity);
-}
-
 void ParticleSystem::make_parts() {
-    std::vector<int> all;
-    for (std::size_t g = 0; g < scene_.equations.order.size(); ++g) {
-        const auto& group = scene_.equations.order[g];
-        parts_.push_back(make_part(group, int(g) == scene_.equations.positions_group));
-        all.insert(all.end(), group.begin(), group.end());
-    }
-    std::sort(all.begin(), all.end());
-    parts_.push_back(make_part(all, true));
-    parts_.push_back(make_part(all, false));
-    parts_.push_back(make_part({}, true));
+    for (GroupParts& parts : GroupParts::all(scene_, components_)) parts_.push_back(make_part(std::move(parts)));
 }
 
-ParticleSystem::Part& ParticleSystem::part(abi::Group group) {
-    const int split = groups();
-    return parts_[std::size_t(group >= 0 ? group : split - 1 - group)];    // -1, -2, -3 follow the splitting groups
-}
+ParticleSystem::Part& ParticleSystem::part(abi::Group group) { return parts_[GroupParts::number(group, groups())]; }
 
 void ParticleSystem::evaluate_terms(Part& part, abi::Slot out, double scale, bool assign, Terms terms) {
     for (const int c : part.components) out_arrays_[std::size_t(c)] = store_.array(out, c);
@@ -139,7 +108,7 @@ void ParticleSystem::rate(abi::Group group, double t, abi::Slot out) {
 }
 
 void ParticleSystem::rate_of(int variable, double t, abi::Slot out) {
-    Part single = make_part({variable}, false);
+    Part single = make_part({scene_, components_, {variable}, false});
     evaluate(single, t, out, 1, true);
 }
 

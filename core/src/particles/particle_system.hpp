@@ -10,6 +10,8 @@
 #include <sphonic/plugin/abi/method.hpp>
 #include <sphonic/plugin/energy_budget.hpp>
 
+#include "group_parts.hpp"
+#include "particle_layers.hpp"
 #include "sites.hpp"
 #include "source_members.hpp"
 #include "store.hpp"
@@ -37,17 +39,14 @@ public:
     void initialise(double dt);
     /// The present state is that of t = 0: walls with memory begin with it.
     void forget_walls();
-    /// Steps of a run, the largest frequency [1/s] of the set, and by how much errors grow in the run.
-    struct StepFacts {
-        double dt;
-        long count;
-        double frequency, growth;
-    };
     /// From now on, what no sound has reached stands still, and what can no longer matter to what is asked for. Before the first step.
     void let_sleep(const StepFacts& step);
     abi::Activity activity() const;
 
-    const Tier& tier() const { return *tier_; }
+    const char* tier_name() const { return tier_->name(); }
+    double neighbours_mean() const { return tier_->neighbours_mean(); }
+    /// No rate at which fitted weights damp is larger [1/s].
+    double damping() const { return tier_->damping(); }
     const Layout& layout() const { return tier_->layout(); }
     long particles() const { return layout().particles(); }
     /// Field of a component in a slot, in the tier's layout.
@@ -88,15 +87,8 @@ public:
     void rate_of(int variable, double t, abi::Slot out);
 
 private:
-    /// What a group stands for: variables with their program, and whether positions go along.
-    struct Part {
-        std::vector<int> variables;
-        std::vector<int> components;
-        bool positions = false;
-        bool reads_itself = true;    ///< a term reads what the group advances: the rate needs an array of its own
+    struct Part : GroupParts {
         std::unique_ptr<Program> program;
-
-        bool has(int variable) const { return std::find(variables.begin(), variables.end(), variable) != variables.end(); }
     };
 
     const Case& scene_;
@@ -108,12 +100,6 @@ private:
     Store store_;
     std::vector<Part> parts_;     ///< by splitting group, then everything, fields, positions
     std::vector<SourceMembers> sources_;
-    /// A particle in a layer that damps.
-    struct Damped {
-        std::ptrdiff_t at;
-        double rate;          ///< [1/s]
-        double factor = 1;    ///< over a step
-    };
     std::vector<Damped> layers_;
     double damping_step_ = 0;    ///< that the factors are for [s]
     std::unique_ptr<WallSmoothing> smoothing_;    ///< where obstacles have walls
@@ -139,8 +125,7 @@ private:
     ParticleSystem(const Case& scene, const Sites& sites);
     ParticleMedia place_particles(const Sites& sites);
     void make_parts();
-    Part make_part(std::vector<int> variables, bool positions);
-    bool reads(const Part& part) const;
+    Part make_part(GroupParts parts);
     Part& part(abi::Group group);
     void evaluate_terms(Part& part, abi::Slot out, double scale, bool assign, Terms terms = Terms::all);
     void evaluate(Part& part, double t, abi::Slot out, double scale, bool assign);
@@ -152,7 +137,6 @@ private:
     class Spectrum;    ///< in particle_spectrum.cpp
     static double lanczos(Spectrum& spectrum, abi::Slot v, abi::Slot w, abi::Slot before);
     static double power(Spectrum& spectrum, abi::Slot v, abi::Slot w);
-    void enlist_layers();
     void damp(double dt);
     void treat_pressure(double t, double dt);
     /// That of a source's i-th particle.

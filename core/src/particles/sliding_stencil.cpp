@@ -5,8 +5,12 @@
 
 namespace sphonic {
 
+namespace {
+
+constexpr double near_caches = 8e6;    ///< [bytes]; in less, fetching ahead costs more than it saves
+
 /// True if reversing x turns the sign of d/dx and of nothing else.
-bool SlidingStencil::symmetric(const std::vector<Offset>& stencil, double round_off) const {
+bool symmetric(const std::vector<Offset>& stencil, double round_off) {
     return std::ranges::all_of(stencil, [&](const Offset& n) {
         const auto mirror = std::ranges::find_if(stencil, [&](const Offset& m) { return m.o[0] == -n.o[0] && m.o[1] == n.o[1] && m.o[2] == n.o[2]; });
         if (mirror == stencil.end()) return false;
@@ -16,13 +20,17 @@ bool SlidingStencil::symmetric(const std::vector<Offset>& stencil, double round_
     });
 }
 
-SlidingStencil::Row& SlidingStencil::row(std::vector<Row>& rows, int component, std::ptrdiff_t at) {
+}    // namespace
+
+template <class Real>
+typename SlidingStencil<Real>::Row& SlidingStencil<Real>::row(std::vector<Row>& rows, int component, std::ptrdiff_t at) {
     const auto known = std::ranges::find_if(rows, [&](const Row& r) { return r.component == component && r.at == at; });
     return known != rows.end() ? *known : rows.emplace_back(Row{component, at});
 }
 
-SlidingStencil::SlidingStencil(const Layout& layout, const std::vector<Offset>& stencil, double factor, bool gradient)
-    : components(gradient ? 1 : layout.dimension), next(layout.stride[1]), next_own(layout.stride[1]) {
+template <class Real>
+SlidingStencil<Real>::SlidingStencil(const Layout& layout, const std::vector<Offset>& stencil, double factor, bool gradient)
+    : components(gradient ? 1 : layout.dimension), far(double(layout.size) * (1 + layout.dimension) * sizeof(Real) > near_caches), next(layout.stride[1]), next_own(layout.stride[1]) {
     int farthest = 0;
     double largest = 0;
     for (const Offset& n : stencil) {
@@ -38,7 +46,7 @@ SlidingStencil::SlidingStencil(const Layout& layout, const std::vector<Offset>& 
         if (n.o[0] < 0 || rho < 0) continue;    // their mirror images are there
         for (int a = 0; a < layout.dimension; ++a) {
             if (std::abs(n.gradient[a]) <= round_off) continue;
-            const double weight = factor * n.gradient[a];
+            const Real weight = Real(factor * n.gradient[a]);
             Row& r = row(gradient ? both : a == 0 ? sums : differences, gradient ? 0 : a, rho);
             if (a == 0)
                 r.odd[n.o[0] - 1] = rho == 0 ? weight / 2 : weight;    // the own row meets itself
@@ -47,5 +55,8 @@ SlidingStencil::SlidingStencil(const Layout& layout, const std::vector<Offset>& 
         }
     }
 }
+
+template struct SlidingStencil<double>;
+template struct SlidingStencil<float>;
 
 }    // namespace sphonic

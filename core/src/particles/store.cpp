@@ -6,7 +6,8 @@
 
 namespace sphonic {
 
-Array::Array(std::size_t n) : data_(new (std::align_val_t(64)) double[n]()), size_(n) {}
+template <class Real>
+ArrayOf<Real>::ArrayOf(std::size_t n) : data_(new (std::align_val_t(64)) Real[n]()), size_(n) {}
 
 Layout Layout::flat(long n, long room) {
     Layout layout;
@@ -15,9 +16,8 @@ Layout Layout::flat(long n, long room) {
     return layout;
 }
 
-Layout Layout::grid(const abi::Box& box, long reach) {
-    constexpr long line = lanes;    // a cache line holds as many doubles as the widest vector
-    constexpr long before = line, after = 3 * line;    // what stencils that work ahead read beyond the first and the last row
+Layout Layout::grid(const abi::Box& box, long reach, long line) {
+    const long before = line, after = 3 * line;    // what stencils that work ahead read beyond the first and the last row
     Layout layout;
     layout.dimension = box.dimension;
     for (int a = 0; a < box.dimension; ++a) {
@@ -33,14 +33,6 @@ Layout Layout::grid(const abi::Box& box, long reach) {
     return layout;
 }
 
-void gather(const Layout& layout, const double* field, double* particles) {
-    layout.for_rows([&](long offset, long first) { std::copy_n(field + offset, layout.count[0], particles + first); });
-}
-
-void scatter(const Layout& layout, const double* particles, double* field) {
-    layout.for_rows([&](long offset, long first) { std::copy_n(particles + first, layout.count[0], field + offset); });
-}
-
 std::vector<std::ptrdiff_t> field_indices(const Layout& layout) {
     std::vector<std::ptrdiff_t> index;
     index.reserve(std::size_t(layout.particles()));
@@ -50,18 +42,21 @@ std::vector<std::ptrdiff_t> field_indices(const Layout& layout) {
     return index;
 }
 
-Store::Store(long field_size, int components) : field_size_(field_size), components_(components) {
+template <class Real>
+StoreOf<Real>::StoreOf(long field_size, int components) : field_size_(field_size), components_(components) {
     slots_.resize(1);
     slots_[0].resize(std::size_t(components));
 }
 
-double* Store::array(int slot, int component) {
-    Array& a = slots_[std::size_t(slot)][std::size_t(component)];
-    if (!a.data()) a = Array(std::size_t(field_size_));
+template <class Real>
+Real* StoreOf<Real>::array(int slot, int component) {
+    ArrayOf<Real>& a = slots_[std::size_t(slot)][std::size_t(component)];
+    if (!a.data()) a = ArrayOf<Real>(std::size_t(field_size_));
     return a.data();
 }
 
-int Store::history(const std::string& name) {
+template <class Real>
+int StoreOf<Real>::history(const std::string& name) {
     const auto known = std::find(names_.begin(), names_.end(), name);
     if (known != names_.end()) return int(known - names_.begin());
     names_.push_back(name);
@@ -69,16 +64,23 @@ int Store::history(const std::string& name) {
     return int(names_.size()) - 1;
 }
 
-void Store::clear() {
+template <class Real>
+void StoreOf<Real>::clear() {
     for (auto& slot : slots_)
-        for (Array& a : slot) std::fill_n(a.data(), a.size(), 0.0);
+        for (ArrayOf<Real>& a : slot) std::fill_n(a.data(), a.size(), Real(0));
 }
 
-double Store::bytes() const {
+template <class Real>
+double StoreOf<Real>::bytes() const {
     double total = 0;
     for (const auto& slot : slots_)
-        for (const Array& a : slot) total += 8.0 * double(a.size());
+        for (const ArrayOf<Real>& a : slot) total += sizeof(Real) * double(a.size());
     return total;
 }
+
+template class ArrayOf<double>;
+template class ArrayOf<float>;
+template class StoreOf<double>;
+template class StoreOf<float>;
 
 }    // namespace sphonic

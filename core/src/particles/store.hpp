@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -9,22 +10,24 @@
 
 namespace sphonic {
 
-/// Zeroed doubles on a 64-byte boundary.
-class Array {
+/// Zeroed values on a 64-byte boundary.
+template <class Real>
+class ArrayOf {
 public:
-    Array() = default;
-    explicit Array(std::size_t n);
-    double* data() { return data_.get(); }
-    const double* data() const { return data_.get(); }
+    ArrayOf() = default;
+    explicit ArrayOf(std::size_t n);
+    Real* data() { return data_.get(); }
+    const Real* data() const { return data_.get(); }
     std::size_t size() const { return size_; }
 
 private:
     struct Release {
-        void operator()(double* p) const { ::operator delete[](p, std::align_val_t(64)); }
+        void operator()(Real* p) const { ::operator delete[](p, std::align_val_t(64)); }
     };
-    std::unique_ptr<double[], Release> data_;
+    std::unique_ptr<Real[], Release> data_;
     std::size_t size_ = 0;
 };
+using Array = ArrayOf<double>;
 
 /// Where particle (i, j, k) of a set lies in a field: x fastest, rows padded, ghosts around.
 /// A set without structure is one row without ghosts; its virtual particles, if any, follow its own.
@@ -34,11 +37,12 @@ struct Layout {
     long ghosts[3] = {0, 0, 0};    ///< layers on either side, per axis
     long stride[3] = {1, 0, 0};
     long origin = 0;               ///< of particle (0, 0, 0)
-    long size = 0;                 ///< doubles to allocate per field
+    long size = 0;                 ///< values to allocate per field
 
     /// n particles and room for virtual ones.
     static Layout flat(long n, long room);
-    static Layout grid(const abi::Box& box, long reach);
+    /// Rows on boundaries of `line` values.
+    static Layout grid(const abi::Box& box, long reach, long line = 8);
 
     long rows() const { return count[1] * count[2]; }
     /// Offset in a field of the first particle of a row.
@@ -56,18 +60,25 @@ struct Layout {
 };
 
 /// Field <-> consecutive particles.
-void gather(const Layout& layout, const double* field, double* particles);
-void scatter(const Layout& layout, const double* particles, double* field);
+template <class Real>
+void gather(const Layout& layout, const Real* field, double* particles) {
+    layout.for_rows([&](long offset, long first) { std::copy_n(field + offset, layout.count[0], particles + first); });
+}
+template <class Real>
+void scatter(const Layout& layout, const double* particles, Real* field) {
+    layout.for_rows([&](long offset, long first) { std::copy_n(particles + first, layout.count[0], field + offset); });
+}
 /// Index in the field of each particle.
 std::vector<std::ptrdiff_t> field_indices(const Layout& layout);
 
 /// All copies of the state: slot 0 is the state, the others are named histories. Arrays appear when first asked for.
-class Store {
+template <class Real>
+class StoreOf {
 public:
-    Store(long field_size, int components);
+    StoreOf(long field_size, int components);
     int components() const { return components_; }
     int slots() const { return int(slots_.size()); }
-    double* array(int slot, int component);
+    Real* array(int slot, int component);
     int history(const std::string& name);
     /// All values zero.
     void clear();
@@ -78,7 +89,8 @@ private:
     long field_size_;
     int components_;
     std::vector<std::string> names_{"state"};
-    std::vector<std::vector<Array>> slots_;
+    std::vector<std::vector<ArrayOf<Real>>> slots_;
 };
+using Store = StoreOf<double>;
 
 }    // namespace sphonic

@@ -34,13 +34,15 @@ private:
 enum class Terms { all, without_dissipation, dissipation_only };
 
 /// The state's arrays and where rates go: rate += into `out`, or assigned.
-struct Evaluation {
-    const double* const* state;    ///< by component
-    double* const* out;            ///< by component; only those of the program's variables are touched
+template <class Real>
+struct EvaluationOf {
+    const Real* const* state;    ///< by component
+    Real* const* out;            ///< by component; only those of the program's variables are touched
     double scale = 1;
     bool assign = true;            ///< out = scale * rate, else out += scale * rate
     Terms terms = Terms::all;
 };
+using Evaluation = EvaluationOf<double>;
 
 /// The rate terms of some variables, made ready for a neighbourhood.
 class Program {

@@ -148,6 +148,9 @@ void read_time(Case& scene, Section& root, Registry& registry) {
     root.resolved["integrator"] = section.resolved;
     scene.until = root.real(common_key("case", "until"));
     scene.active = std::string(root.read(common_key("case", "active")).text) == "all" ? Active::all : Active::automatic;
+    scene.precision = std::string(root.read(common_key("case", "precision")).text) == "single" ? Precision::single : Precision::usual;
+    if (scene.precision == Precision::single && !scene.method->meshfree())
+        root.fail("precision", "method " + scene.method_name + " works in double precision", "Choose \"double\"");
 }
 
 void read_output(Case& scene, Section& root) {

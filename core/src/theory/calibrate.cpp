@@ -7,6 +7,7 @@
 #include "cost.hpp"
 #include "machine.hpp"
 #include "particle_system.hpp"
+#include "single_system.hpp"
 
 namespace sphonic {
 namespace {
@@ -26,6 +27,7 @@ struct Timing {
 };
 
 std::vector<std::string> settings_of(const std::string& tier) {
+    if (tier == "lattice_single") return {"/precision=single"};
     if (tier == "frozen") return {"/particles/jitter=0.2"};
     if (tier == "moving") return {"/particles/motion=lagrangian"};
     if (tier == "moving_densities") return {"/particles/motion=lagrangian", "/equations=lagrangian_acoustics"};
@@ -78,12 +80,13 @@ double timed(Call call) {
 }
 
 /// By steps so short that nothing changes.
+template <class System>
 Timing time_particles(const Trial& t, int side, const Case& scene) {
-    ParticleSystem system(scene);
+    System system(scene);
     constexpr double dt = 1e-9;
     system.initialise(dt);
-    Work work{.tier = t.tier, .dimension = t.dimension, .particles = double(system.particles()), .neighbours = system.tier().neighbours_mean(), .viscous = t.viscous, .calls = 2};
-    if (t.tier == "lattice") work.row = side;
+    Work work{.tier = t.tier, .dimension = t.dimension, .particles = double(system.particles()), .neighbours = system.neighbours_mean(), .viscous = t.viscous, .calls = 2};
+    if (on_rows(t.tier)) work.row = side;
     long index = 0;
     const double ns = timed([&] { scene.integrator->step(system, {++index, double(index) * dt, dt}); });
     return {work, ns / worth(work)};
@@ -106,8 +109,9 @@ std::vector<Trial> trials_of(const std::string& tier, int d) {
     if (tier == "fdtd") return {{tier, d, 1, false, false, {fdtd}}, {tier, d, 1, false, false, {fdtd4}}, {tier, d, 1, false, true, {fdtd}}};
     const double h = d == 1 ? 3.25 : 1.3;
     std::vector<Trial> trials{{tier, d, 1}, {tier, d, h}, {tier, d, h, true}};
-    if (tier == "lattice") trials.push_back({tier, d, d == 1 ? 2.0 : 1.7});
-    if (tier == "lattice" || tier == "frozen") trials.push_back({tier, d, h, false, true});
+    if (tier == "lattice_single") std::erase_if(trials, [](const Trial& t) { return t.viscous; });
+    if (on_rows(tier)) trials.push_back({tier, d, d == 1 ? 2.0 : 1.7});
+    if (on_rows(tier) || tier == "frozen") trials.push_back({tier, d, h, false, true});
     return trials;
 }
 
@@ -145,7 +149,7 @@ UnitCost unit_cost(const std::vector<Trial>& trials, const std::vector<Timing>& 
 CostModel calibrate(Registry& registry, const std::function<void(double)>& progress) {
     CostModel costs{.machine = processor(), .cache = last_cache(), .units = {}};
     std::vector<std::vector<Trial>> all;
-    for (const char* tier : {"lattice", "frozen", "moving", "moving_densities", "fdtd"})
+    for (const char* tier : {"lattice", "lattice_single", "frozen", "moving", "moving_densities", "fdtd"})
         for (const int d : {1, 2, 3}) all.push_back(trials_of(tier, d));
     for (const char* tier : {"kspace", "kspace_modes"}) all.push_back(trials_of(tier, 2));
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -153,7 +157,9 @@ CostModel calibrate(Registry& registry, const std::function<void(double)>& progr
         for (const Trial& t : all[k]) {
             const int side = side_of(t, costs.cache);
             const Case scene = scene_of(t, side, registry);
-            timings.push_back(scene.method->meshfree() ? time_particles(t, side, scene) : time_method(t, scene));
+            timings.push_back(!scene.method->meshfree()                      ? time_method(t, scene)
+                              : scene.precision == Precision::single ? time_particles<SingleSystem>(t, side, scene)
+                                                                     : time_particles<ParticleSystem>(t, side, scene));
         }
         costs.units[all[k][0].tier + " " + std::to_string(all[k][0].dimension)] = unit_cost(all[k], timings);
         if (progress) progress(double(k + 1) / double(all.size()));

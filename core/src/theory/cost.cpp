@@ -21,15 +21,20 @@ bool in_pairs(const std::string& tier) { return tier == "frozen"; }
 
 }    // namespace
 
-std::string cost_tier(const std::string& tier, const Case& scene) { return tier == "moving" && scene.equations.density >= 0 ? "moving_densities" : tier; }
+std::string cost_tier(const std::string& tier, const Case& scene) {
+    if (scene.precision == Precision::single) return "lattice_single";
+    return tier == "moving" && scene.equations.density >= 0 ? "moving_densities" : tier;
+}
+
+bool on_rows(const std::string& tier) { return tier.starts_with("lattice"); }
 
 double footprint(const Work& work) {
-    const double fields = 8.0 * (1 + work.dimension);
+    const double fields = (work.tier == "lattice_single" ? 4.0 : 8.0) * (1 + work.dimension);
     return work.particles * (fields + (in_pairs(work.tier) ? work.neighbours * (4 + 8.0 * work.dimension) : 0));
 }
 
 double worth(const Work& work) {
-    const double geometry = geometry_share(work.tier), ends = work.tier == "lattice" ? 1 + row_ends / work.row : 1;
+    const double geometry = geometry_share(work.tier), ends = on_rows(work.tier) ? 1 + row_ends / work.row : 1;
     return ends * work.particles * ((1 - geometry) * work.evaluations + geometry * work.calls);
 }
 
@@ -45,7 +50,7 @@ double step_cost(const CostModel& costs, const Work& work) {
 double predicted_seconds(const CostModel& costs, const Case& scene, const Summary& prepared, bool viscous) {
     Work work{.tier = cost_tier(prepared.tier, scene), .dimension = scene.box.dimension, .particles = double(prepared.particles), .viscous = viscous};
     const double length = scene.box.upper[0] - scene.box.lower[0];
-    if (prepared.tier == "lattice") work.row = std::max(1.0, std::round(length / scene.box.dx) + (scene.box.periodic[0] ? 0 : 1));
+    if (on_rows(work.tier)) work.row = std::max(1.0, std::round(length / scene.box.dx) + (scene.box.periodic[0] ? 0 : 1));
     if (!prepared.tier.starts_with("kspace")) work.neighbours = prepared.neighbours_mean;
     if (scene.method->meshfree()) {
         const double k[3] = {1, 0, 0};

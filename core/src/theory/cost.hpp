@@ -26,6 +26,9 @@ double footprint(const Work& work);
 /// The name of a set's tier in cost models.
 std::string cost_tier(const std::string& tier, const Case& scene);
 
+/// Is a set of this tier stepped along the rows of a lattice?
+bool on_rows(const std::string& tier);
+
 /// CPU time of a whole run [s]; `prepared` as for predict().
 double predicted_seconds(const CostModel& costs, const Case& scene, const Summary& prepared, bool viscous);
 
