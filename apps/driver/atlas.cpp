@@ -37,10 +37,13 @@ std::vector<const AtlasRow*> chosen(const Atlas& atlas, const std::vector<std::s
 }
 
 void print(const AtlasEntry& entry) {
+    std::size_t width = 0;
+    for (const auto* list : {&entry.result.failures, &entry.result.cures})
+        for (const AtlasRun& run : *list) width = std::max(width, run.variant->name.size());
     std::printf("%s: %s\n", entry.row.name.c_str(), entry.row.title.c_str());
     for (const auto& [side, list] : {std::pair{"failure", &entry.result.failures}, std::pair{"cure", &entry.result.cures}})
         for (const AtlasRun& run : *list)
-            std::printf("  %-8s %-34s %s%s\n", side, run.variant->name.c_str(), run.outcome.c_str(), run.as_told ? "" : "  NOT AS TOLD");
+            std::printf("  %-8s %-*s  %s%s\n", side, int(width), run.variant->name.c_str(), run.outcome.c_str(), run.as_told ? "" : "  NOT AS TOLD");
 }
 
 }    // namespace

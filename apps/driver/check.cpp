@@ -8,6 +8,7 @@
 #include <sphonic/registry.hpp>
 
 #include "commands.hpp"
+#include "limit_words.hpp"
 
 namespace sphonic::driver {
 namespace {
@@ -35,7 +36,8 @@ int check(const RunOptions& options) {
     const Case scene = load_case(options.file, options.set, registry);
     const Simulation simulation(scene);
     const Summary& s = simulation.summary();
-    const Prediction p = predict(scene, s);
+    Prediction p = predict(scene, s);
+    for (const std::string& warning : source_warnings(scene, s.dt)) p.warnings.push_back(warning);
     if (options.json) {
         std::cout << json_text(check_json(s, p));
         return 0;
@@ -43,8 +45,7 @@ int check(const RunOptions& options) {
     const double courant = scene.media->fastest().c0 / scene.box.dx;
     std::printf("%s: the case is sound\n", s.title.c_str());
     std::printf("  %ld particles, %s tier, %.1f neighbours, %ld steps\n", s.particles, s.tier.c_str(), s.neighbours_mean, s.steps);
-    std::printf("  step %.4g s (c0 dt/dx = %.4g), %s %.4g s (c0 dt/dx = %.4g)\n", s.dt, s.dt * courant,
-                s.weak ? "grows at any step, by less than e^12 in this run up to" : "stable to", s.dt_limit, s.dt_limit * courant);
+    std::printf("  step %.4g s (c0 dt/dx = %.4g), %s\n", s.dt, s.dt * courant, limit_words(scene, s).c_str());
     if (s.weak && s.dt_limit > 0)
         std::printf("  the worst mode grows by e^%.3g in this run; by e at the step %.4g s (c0 dt/dx = %.4g)\n", s.growth, s.dt_mild, s.dt_mild * courant);
     if (p.speed_error) std::printf("  predicted speed of long waves: %+.3g %%\n", 100 * *p.speed_error);

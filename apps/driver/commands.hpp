@@ -42,6 +42,7 @@ struct StabilityOptions : RunOptions {
     long steps = 3000;                ///< of a run that decides whether a step is stable
     double precision = 1e-3;
     int seed = 1;
+    bool table = false;               ///< of all kernels' limits, instead of one case's
 };
 
 struct DescribeOptions : Common {
@@ -71,6 +72,8 @@ int check(const RunOptions& options);
 int plan(const PlanOptions& options);
 int study(const StudyOptions& options);
 int stability(const StabilityOptions& options);
+/// Predicted against measured limits of all kernels, widths, integrators and dimensions, with viscosity, disorder and walls.
+int stability_table(const StabilityOptions& options);
 int atlas(const AtlasOptions& options);
 int list(const Common& options);
 int describe(const DescribeOptions& options);

@@ -1,5 +1,8 @@
 #include "kernel_page.hpp"
 
+#include <cmath>
+#include <cstdio>
+
 #include "html.hpp"
 
 namespace sphonic::driver {
@@ -13,11 +16,17 @@ std::string laws(const KernelCard& card) {
     return html_table(rows);
 }
 
+std::string percent(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%+.3f %%", std::abs(x) < 1e-12 ? 0.0 : 100 * x);
+    return text;
+}
+
 std::string waves(const std::vector<KernelRow>& all) {
-    std::vector<std::vector<std::string>> rows{{"dimension", "h/dx", "neighbours", "speed error, plain", "cut-off, points", "for 1 %", "for 0.1 %"}};
-    for (const auto& [name, limit] : all.empty() ? std::map<std::string, double>{} : all.front().courant_dx) rows[0].push_back("C, " + name);
+    std::vector<std::vector<std::string>> rows{{"dimension", "h/dx", "neighbours", "speed error, plain", "cut-off [points]", "for 1 % [points]", "for 0.1 % [points]"}};
+    for (const auto& [name, limit] : all.empty() ? std::map<std::string, double>{} : all.front().courant_dx) rows[0].push_back("c0 dt/dx, " + name);
     for (const KernelRow& r : all) {
-        rows.push_back({std::to_string(r.dimension), shown(r.h_over_dx), std::to_string(r.neighbours), shown(r.speed_error), shown(r.cutoff_ppw), shown(r.ppw_1_percent), shown(r.ppw_01_percent)});
+        rows.push_back({std::to_string(r.dimension), shown(r.h_over_dx), std::to_string(r.neighbours), percent(r.speed_error), shown(r.cutoff_ppw), shown(r.ppw_1_percent), shown(r.ppw_01_percent)});
         for (const auto& [name, limit] : r.courant_dx) rows.back().push_back(shown(limit));
     }
     return html_table(rows);
@@ -36,7 +45,7 @@ std::string shown(const std::optional<double>& x) { return x ? shown(*x) : "none
 std::string kernel_page(const KernelCard& card, const Ranking& ranking, const std::filesystem::path& svg) {
     return html_page(card.name, "<h1>" + escaped(card.name) + "</h1>\n<p>" + escaped(card.doc) + ". Support " + shown(card.support) + " h.</p>\n" + inline_svg(svg) + "\n<h2>Laws</h2>\n" + laws(card) +
            "<h2>Sound on a lattice</h2>\n<p>Speed of long waves and largest stable c0 dt/dx by the plain pair of forms; cut-off and points per wavelength for a relative L2 "
-           "error of 1 % and 0.1 % after ten wavelengths by corrected weights, time being exact, in the worse of axis and diagonal.</p>\n" + waves(card.rows) +
+           "error of 1 % and 0.1 % after ten wavelengths by corrected weights, time being exact, in the worse of axis and diagonal. The cut-off is the length on the set of the wave of highest frequency: no shorter one carries a signal.</p>\n" + waves(card.rows) +
            "<h2>Recommended h/dx</h2>\n<p>Of least work for 1 %, by leapfrog at its limit.</p>\n" + waves(card.recommended) +
            "<h2>Among the others in " + std::to_string(ranking.empty() ? 0 : ranking.front().second.dimension) + "-D</h2>\n" + ranked(ranking));
 }

@@ -89,7 +89,10 @@ void add_plan_command(CLI::App& app, Arguments& a) {
 void add_stability_command(CLI::App& app, Arguments& a) {
     StabilityOptions& options = a.stability;
     auto* command = app.add_subcommand("stability", "the largest stable step of a case by theory and by bisection; maps and spectra");
-    add_case(*command, options, "CASE");
+    auto* table = command->add_flag("--table", options.table, "no case: predicted and measured limits of all kernels, widths, integrators and dimensions, in minutes");
+    auto* scene = command->add_option("CASE", options.file, "JSON file")->excludes(table);
+    command->add_option("--set", options.set, "override a value: /json/pointer=value (may be repeated)")->needs(scene);
+    add_common(*command, options);
     command->add_option("--vary", options.vary, "/pointer=a:b:n: a table and a chart over n values from a to b; twice: a map");
     command->add_flag("--spectrum", options.spectrum, "draw the eigenvalues in the integrator's stability region");
     command->add_option("--long", options.long_steps, "growth over so many steps at the case's own step, beside ln |xi|")->check(CLI::Range(10L, 100000000L));
@@ -98,7 +101,10 @@ void add_stability_command(CLI::App& app, Arguments& a) {
     command->add_option("--seed", options.seed, "of the noise that sets runs off")->check(CLI::Range(0, 1000000000))->capture_default_str();
     command->add_option("--out", options.out, "output folder; default runs/NAME-stability if there is a chart");
     command->add_flag("--force", options.force, "replace the output folder if it exists");
-    command->callback([&a] { a.result = stability(a.stability); });
+    command->callback([&a] {
+        if (!a.stability.table && a.stability.file.empty()) throw CLI::RequiredError("CASE");
+        a.result = a.stability.table ? stability_table(a.stability) : stability(a.stability);
+    });
 }
 
 void add_atlas_command(CLI::App& app, Arguments& a) {

@@ -12,16 +12,17 @@
 
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "limit_words.hpp"
 #include "planned.hpp"
 #include "progress.hpp"
 
 namespace sphonic::driver {
 namespace {
 
-void print_summary(const Summary& s, const std::filesystem::path& folder) {
+void print_summary(const Case& scene, const Summary& s, const std::filesystem::path& folder) {
     std::printf("%s\n", s.title.c_str());
-    std::printf("  %ld particles, %s tier, %.1f neighbours, %s, %ld steps of %.4g s (%s %.4g s)\n", s.particles, s.tier.c_str(),
-                s.neighbours_mean, s.integrator.c_str(), s.steps, s.dt, s.weak ? "grows at any step, little up to" : "stable to", s.dt_limit);
+    std::printf("  %ld particles, %s tier, %.1f neighbours, %s, %ld steps of %.4g s (%s)\n", s.particles, s.tier.c_str(),
+                s.neighbours_mean, s.integrator.c_str(), s.steps, s.dt, limit_words(scene, s).c_str());
     if (s.weak && s.dt_limit > 0) std::printf("  its worst mode grows by e^%.3g in this run, by theory; by e at steps of %.4g s\n", s.growth, s.dt_mild);
     if (s.errors)
         std::printf("  error at t = %g s over %ld particles: L2 %.4g, rms %.4g P, eps %.4ge-4, largest %.4g Pa\n", s.t, s.errors->n,
@@ -71,7 +72,7 @@ int run(const RunOptions& options) {
     if (options.json)
         std::cout << json_text(to_json(summary));
     else
-        print_summary(summary, folder.target());
+        print_summary(scene, summary, folder.target());
     if (!summary.diverged) return 0;
     log::error(scene.file + ": the run diverged " + summary.diverged_how + "; the outputs until then are kept");
     return int(Fault::diverged);

@@ -62,13 +62,18 @@ void print_step(const Case& scene, const char* what, double dt, const std::strin
 void Stability::print(const StabilityFinding& finding) const {
     const StepLimit& limit = finding.predicted;
     std::printf("%s: %s\n", scene_.title.c_str(), limit.weak && limit.dt > 0 ? "largest step, at which the worst mode grows by e^12 in the run" : "largest stable step");
-    print_step(scene_, "predicted", limit.dt, "by " + finding.basis + (finding.inviscid ? ", viscosity at half strength" : ""));
+    if (finding.any_step)
+        std::printf("  %-10s no step is stable: at dt %.5g s (c0 dt/dx = %.5g) the worst motion grows by e in %.0f steps (%.3g s); by %s\n", "predicted", finding.any_step->dt,
+                    courant_dx(scene_, finding.any_step->dt), std::ceil(1 / finding.any_step->growth), finding.any_step->dt / finding.any_step->growth, finding.basis.c_str());
+    else
+        print_step(scene_, "predicted", limit.dt, "by " + finding.basis + (finding.inviscid ? ", viscosity at half strength" : ""));
     if (finding.inviscid) print_step(scene_, "", *finding.inviscid, "without viscosity");
     if (finding.always_on) print_step(scene_, "", *finding.always_on, "with viscosity always on");
     if (limit.weak && limit.dt > 0) print_step(scene_, "", limit.mild, "grows by e");
+    if (!(finding.measured.dt > 0)) return void(std::printf("  %-10s every step grows, in %d runs of up to %ld steps\n", "measured", finding.measured.runs, trial_.steps));
     char how[120];
     std::snprintf(how, sizeof how, "to %.2g %%, in %d runs of up to %ld steps", 100 * finding.measured.precision, finding.measured.runs, trial_.steps);
-    print_step(scene_, "measured", finding.measured.dt, finding.measured.dt > 0 ? how : "every step grows");
+    print_step(scene_, "measured", finding.measured.dt, how);
 }
 
 void Stability::print(const GrowthFinding& growth) const {

@@ -25,10 +25,16 @@ struct ExpressionShape final : abi::Shape {
         for (int i = 0; i < points.n; ++i) {
             Place x{};
             for (int a = 0; a < d; ++a) x[std::size_t(a)] = points.x[a][i];
+            Place from = x;
             Slope here = slope(x);
             const double side = here.value < 0 ? -1 : 1;
-            double length = std::abs(here.value) / std::max(here.steepness, 1e-300);
-            if (length < far * dx) length = approach(x, here);
+            double length = roughly(here);
+            if (side < 0 && length >= far * dx) {    // the slope may vanish in the very middle of a body: see beside it
+                for (int a = 0; a < d; ++a) from[std::size_t(a)] += aside * dx;
+                here = slope(from);
+                length = roughly(here);
+            }
+            if (length < far * dx) length = approach(x, from, here);
             distance[i] = side * length;
             for (int a = 0; a < d; ++a) normal[a][i] = here.normal[std::size_t(a)];
         }
@@ -40,7 +46,7 @@ private:
         double value = 0, steepness = 0;
         Place normal{1, 0, 0};
     };
-    static constexpr double far = 32;
+    static constexpr double far = 32, aside = 0.25;    ///< [dx]
     std::unique_ptr<abi::Formula> f;
     int d = 1;
     double dx = 1;
@@ -69,6 +75,7 @@ private:
         for (std::size_t a = 0; s.steepness > 0 && a < 3; ++a) s.normal[a] = g[a] / s.steepness;
         return s;
     }
+    static double roughly(const Slope& s) { return std::abs(s.value) / std::max(s.steepness, 1e-300); }
     static double length(const Place& r) { return std::hypot(r[0], r[1], r[2]); }
 
     /// Onto the surface along its slope.
@@ -91,10 +98,10 @@ private:
         return r;
     }
 
-    /// The distance of x, and in `s` the slope at the nearest point. What a step along the surface leaves to go says how long the
+    /// The distance of x, and in `s` the slope at the nearest point, looked for from nearby. What a step along the surface leaves to go says how long the
     /// next one should be.
-    double approach(const Place& x, Slope& s) const {
-        Place p = projected(x, s), way = along(x, p, s);
+    double approach(const Place& x, const Place& from, Slope& s) const {
+        Place p = projected(from, s), way = along(x, p, s);
         double share = 1;
         for (int k = 0; k < 50 && length(way) > 1e-7 * dx; ++k) {
             Place q{};

@@ -48,6 +48,12 @@ struct PointSource final : abi::Source {
 
     double tone() const override { return signal == "sine" ? omega : 0; }
 
+    /// |Q(omega)| is exp(-y) of a Gaussian and y exp(1 - y) of a Ricker pulse, y = (omega duration / 2)^2, over the largest: a tenth at
+    double highest_frequency() const override {
+        constexpr double gaussian_y = 2.3026, ricker_y = 4.8897;
+        return signal == "sine" ? omega : 2 / duration * std::sqrt(signal == "gaussian" ? gaussian_y : ricker_y);
+    }
+
     void match(const abi::ToneResponse& response) override {
         const double exponent = 0.25 * response.wave_number * response.wave_number * a * a;
         if (exponent > most_exponent) refuse(2 * pi / response.wave_number, "wavelength");

@@ -144,6 +144,20 @@ TEST_CASE("a shape by expression measures true distances, whatever the slope of 
     }
 }
 
+TEST_CASE("a shape by expression knows how deep the very middle of a thin body is, where its slope vanishes", "[shape]") {
+    for (const char* surface : {"x^2 - 0.01", "abs(x) - 0.1", "(x - 0.1)*(x + 0.1)"})
+        for (const int d : {1, 2, 3}) {
+            const auto plate = text_shape("expression", surface);
+            REQUIRE(refusal(*plate, d) == "nothing was refused");
+            INFO(surface << " in " << d << "-D");
+            for (const double x : {0.0, 0.03, -0.08}) {
+                const Measured m = measured(*plate, d, {x, d > 1 ? 0.7 : 0, d > 2 ? -0.4 : 0});
+                CHECK(m.distance == Approx(std::abs(x) - 0.1).epsilon(1e-6));
+                CHECK(std::abs(m.normal[0]) == Approx(1).epsilon(1e-6));
+            }
+        }
+}
+
 TEST_CASE("a shape that cannot be is refused with what to do", "[shape]") {
     const auto polygon = [](const std::string& corners, int d = 2) { return refusal(*text_shape("polygon", corners), d); };
     CHECK(refusal(*make<abi::Shape>("circle"), 1) == "a circle needs two or three dimensions: in one, close the box by boundaries");

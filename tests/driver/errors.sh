@@ -6,7 +6,7 @@
 # refused, refused_like, refused_edit, refused_text: a case that check and run must both refuse in the same words.
 # misused: a command line. *_like and misused take a pattern, the others the whole message.
 # A new row of a table is one line. All rows start from the case below, which runs without a word on stderr.
-# The tables stand in errors_in_cases.sh, errors_at_obstacles.sh, errors_in_outputs.sh,
+# The tables stand in errors_in_cases.sh, errors_at_obstacles.sh, warnings_of_sources.sh, errors_in_outputs.sh,
 # errors_in_steps.sh and errors_in_atlas.sh.
 # shellcheck disable=SC2015,SC2016,SC2059  # ok and failed always succeed; JSON in quotes; texts are formats
 set -euo pipefail
@@ -113,6 +113,8 @@ times() { terms '{"divergence":"u","form":"difference","times":"'"$1"'"}'; }
 source "$repository/tests/driver/errors_in_cases.sh"
 # shellcheck source=tests/driver/errors_at_obstacles.sh
 source "$repository/tests/driver/errors_at_obstacles.sh"
+# shellcheck source=tests/driver/warnings_of_sources.sh
+source "$repository/tests/driver/warnings_of_sources.sh"
 # shellcheck source=tests/driver/errors_in_outputs.sh
 source "$repository/tests/driver/errors_in_outputs.sh"
 # shellcheck source=tests/driver/errors_in_steps.sh

@@ -33,10 +33,24 @@ uneven=(bare.json --set /dimension=2 --set '/particles/lower=[0,0]' --set '/part
 sed -e '/"reference"/d' case.json >bare.json
 sphonic check "${uneven[@]}" --set /until=0.004
 [[ $code == 0 && $err == *'the forms of divergence and gradient are not adjoint on disordered particles: the worst motion grows by '*' per second at any step: e^'*' in this run, by e in '*' steps ('*' s); by '*' Add fourth_order dissipation, '* ]] \
-    && ok "check warns of sets that grow at any step" || failed "check warns of sets that grow at any step" "$code" "$err"
+    && [[ $out == *'no step is stable: the worst motion grows by e in '*' steps, e^'*' in this run; beyond '* && $out != *'stable to'* ]] \
+    && ok "check warns of sets that grow at any step" || failed "check warns of sets that grow at any step" "$code" "$err" "$out"
 sphonic check "${uneven[@]}" --set /until=0.05
 [[ $code == 2 && $err == 'bare.json: /equations: the forms of divergence and gradient are not adjoint on disordered particles: '*'or set /integrator/unstable to "allow" to study the failure' ]] \
     && ok "and refuses where they grow much" || failed "and refuses where they grow much" "$code" "$err"
 sphonic run "${uneven[@]}" --set /until=0.05 --set /integrator/unstable=allow --out uneven
 [[ $code == 3 && $err == *'not adjoint on disordered particles, by theory by '*' per second. Add fourth_order dissipation'* && -s uneven/profile.csv ]] \
     && ok "which a run that may go on then says" || failed "which a run that may go on then says" "$code" "$err"
+sphonic run "${uneven[@]}" --set /until=0.004 --out uneven --force
+[[ $code == 0 && $out == *'no step is stable: the worst motion grows by e in '* ]] && ok "run tells so beside its step" || failed "run tells so beside its step" "$code" "$out"
+sphonic stability "${uneven[@]}" --set /until=0.004
+[[ $code == 0 && $out == *'predicted  no step is stable: at dt '*' the worst motion grows by e in '*' steps ('*' s); by '*'measured   every step grows, in '* ]] \
+    && ok "stability tells so in the place of a limit" || failed "stability tells so in the place of a limit" "$code" "$out"
+sphonic check bare.json --set '/integrator={"type":"forward_euler","courant":0.2,"unstable":"allow"}'
+[[ $code == 0 && $out == *'no step is stable: the worst mode grows by e in '*' steps, e^'*' in this run'* ]] \
+    && ok "and of an integrator that grows at any step" || failed "and of an integrator that grows at any step" "$code" "$out"
+
+# The table of limits takes no case, all else does.
+misused 2 'CASE is required*' stability --json
+misused 2 '--table excludes CASE*' stability case.json --table
+misused 5 'case.json: exists already. *' stability --table --out case.json

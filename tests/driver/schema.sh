@@ -147,7 +147,7 @@ changes = [
     [(("obstacles",), [EDGE]), (("method",), {"type": "fdtd"})], [(("obstacles",), []), (("method",), {"type": "fdtd"})],
     # time
     [(("integrator", "dt"), 1e-6)], [(("integrator", "safety"), 0.5)], [(("integrator",), {"type": "rk4", "safety": 0.5, "dt": 1e-6})], [(("integrator", "courant"), ABSENT)],
-    [(("integrator",), {"type": "rk4", "safety": 0.5})], [(("integrator",), {"type": "rk4", "safety": 1.5})],
+    [(("integrator",), {"type": "rk4", "safety": 0.5})], [(("integrator",), {"type": "rk4", "safety": 2.5})],
     [(("integrator",), {"type": "rk4", "dt": 1e-6})], [(("integrator", "courant_length"), "h")],
     [(("integrator", "courant_length"), "L")], [(("integrator", "unstable"), "allow")], [(("integrator",), ABSENT)],
     # sound

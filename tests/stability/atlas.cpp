@@ -16,6 +16,17 @@ const std::filesystem::path folder = SPHONIC_SOURCE_DIR "/cases/failures";
 /// A run is stopped at a hundred times the energy that it should have.
 const double stopped = std::log(10.0);
 
+/// RMS of what alternates from particle to particle over that of what does not, of p between two places of a line.
+double sawtooth(const Profile& now, double lower, double upper) {
+    double smooth = 0, rough = 0;
+    for (std::size_t i = 1; i + 1 < now.p.size(); ++i) {
+        if (now.x[0][i] < lower || now.x[0][i] > upper) continue;
+        const double mean = 0.25 * (now.p[i - 1] + 2 * now.p[i] + now.p[i + 1]);
+        smooth += mean * mean, rough += (now.p[i] - mean) * (now.p[i] - mean);
+    }
+    return std::sqrt(rough / smooth);
+}
+
 }    // namespace
 
 TEST_CASE("every failure of the atlas fails, and its cures cure it", "[atlas]") {
@@ -29,6 +40,24 @@ TEST_CASE("every failure of the atlas fails, and its cures cure it", "[atlas]") 
                 if (run.predicted) CHECK((side == &result.cures ? *run.predicted < 1.1 : *run.predicted > stopped));
             }
     }
+}
+
+TEST_CASE("walls return and interfaces pass the sawtooth of a one-particle source as they do its sound, and nothing of a footprint's", "[atlas][sawtooth]") {
+    const auto after = [](const std::string& name, const std::vector<std::string>& set, double lower, double upper) {
+        const Case c = repository_case("failures/" + name, set);
+        Simulation simulation(c);
+        simulation.run();
+        return sawtooth(simulation.profile(), lower, upper);
+    };
+    const std::string footprint = R"(/sources=[{"type":"point","position":[0.0125],"flow":0.004901960784313725,"omega":2136.2830044410593}])";
+    for (const char* wall : {"rigid", "soft"}) {
+        INFO(wall);
+        const std::string set = std::string("/boundaries/0/type=") + wall, half_way = *wall == 's' ? "/until=0.0193" : "/until=0.018565";
+        CHECK(after("sawtooth_at_wall", {set, half_way}, 1.5, 3) == Approx(1).epsilon(0.05));
+        CHECK(after("sawtooth_at_wall", {set, half_way, footprint}, 1.5, 2.9) < 0.01);
+    }
+    CHECK(after("sawtooth_at_interface", {}, 2.1, 3.7) == Approx(1).epsilon(0.05));
+    CHECK(after("sawtooth_at_interface", {footprint}, 2.1, 3.7) < 0.03);
 }
 
 TEST_CASE("every case of the atlas's folder stands in it, and is one that check takes", "[atlas]") {

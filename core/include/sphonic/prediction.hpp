@@ -39,6 +39,10 @@ struct Prediction {
 /// `prepared` is the summary of a simulation that was made ready but not run.
 Prediction predict(const Case& scene, const Summary& prepared);
 
+/// What of the sources' highest frequencies travels 2 % slower or faster than long waves, or not at all at step dt, in the medium where it is
+/// worst: points per wavelength, and what to do. Imposed fields whose frequency is not known are listened to.
+std::vector<std::string> source_warnings(const Case& scene, double dt);
+
 /// One step's amplification of the travelling wave of wave number k [rad/m] along `direction`:
 /// its numerical frequency [rad/s] and decay rate [1/s], with the case's integrator at step dt. Monaghan's viscosity acts half
 /// of the time: take half of it.

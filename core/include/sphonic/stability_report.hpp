@@ -18,6 +18,11 @@ struct StabilityFinding {
     /// Where viscosity acts on waves of a box: the limit lies between them, the smaller of them is safe [s].
     std::optional<double> inviscid, always_on;
     StabilityTrial::Limit measured;
+    /// Where no step is stable: ln of the worst mode's growth in a step of `dt`, the case's own or a small one.
+    struct AnyStep {
+        double dt, growth;
+    };
+    std::optional<AnyStep> any_step{};
 };
 StabilityFinding find_stability(const Case& scene, const StabilityTrial::Options& options, const StabilityTrial::Report& report = {});
 

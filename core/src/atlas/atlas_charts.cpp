@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <sphonic/atlas.hpp>
 
@@ -38,7 +39,7 @@ Curve places(const AtlasRun& run) {
 
 Panel panel_of(const AtlasRow& row, const std::vector<AtlasRun>& runs, const std::string& side) {
     Panel panel{.title = side, .x = {.label = row.picture == Picture::growth ? "t [s]" : "x [m]"}, .y = {}, .curves = {}};
-    panel.y.label = row.picture == Picture::growth ? "RMS pressure of the set [Pa]" : row.picture == Picture::profile ? "p [Pa]" : "y [m]";
+    panel.y.label = row.picture == Picture::growth ? "RMS pressure [Pa]" : row.picture == Picture::profile ? "p [Pa]" : "y [m]";
     panel.y.log = row.picture == Picture::growth;
     for (const AtlasRun& run : runs) {
         if (run.t.empty()) continue;    // refused
@@ -83,6 +84,8 @@ std::optional<Chart> atlas_chart(const AtlasRow& row, const AtlasResult& result)
     }
     if (chart.panels.empty()) return std::nullopt;
     chart.columns = int(chart.panels.size());
+    const auto curves = [](const Panel& panel) { return int(panel.curves.size()); };
+    chart.height += 40 * std::max(0, std::ranges::max(chart.panels | std::views::transform(curves)) - 4);    // room for the legend
     if (row.fails != Failing::warned) share_axes(chart.panels);
     return chart;
 }

@@ -83,10 +83,11 @@ void cut(Case& scene, const Section& root) {
     const double both_sides = 2 * scene.radius();
     for (std::size_t k = 0; k < sites->cut.size(); ++k) {
         const Obstacle& obstacle = scene.obstacles[k];
+        const std::string place = "/obstacles/" + std::to_string(k);
         if (sites->cut[k] == 0)
-            scene.warnings.push_back(obstacle.place + ": no particle lies in the solid, and it acts through those that it cuts out: it changes nothing");
+            scene.warnings.push_back(place + ": no particle lies in the solid, and it acts through those that it cuts out: it changes nothing");
         else if (obstacle.walled() && thinner_than(scene, obstacle, sites->solid, both_sides))
-            scene.warnings.push_back(obstacle.place + ": it is thinner than twice the reach of the weights, " + number_text(both_sides) +
+            scene.warnings.push_back(place + ": it is thinner than twice the reach of the weights, " + number_text(both_sides) +
                                      " m: what is behind one side of it acts on the other too");
     }
 }

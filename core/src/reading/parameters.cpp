@@ -49,7 +49,7 @@ const Tables& tables() {
          {number("dt", "s", positive, infinite, "time step; this, courant or safety"),
           number("courant", "1", positive, infinite, "c0 dt / courant_length, c0 that of the fastest medium"),
           text("courant_length", "dx|h", "length in the Courant number", "dx"),
-          number("safety", "1", positive, 1, "fraction of the computed stable step", 0.9),
+          number("safety", "1", positive, 2, "fraction of the computed stable step; above 1 it needs unstable allow", 0.9),
           text("unstable", "refuse|allow", "what to do with a step beyond the limit", "refuse")}},
         {"case",
          {number("until", "s", positive, infinite, "end of the run"),

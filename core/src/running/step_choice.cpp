@@ -9,6 +9,7 @@ namespace sphonic {
 namespace {
 
 constexpr double exact = 1 + 1e-9;    ///< of a step at the limit itself
+constexpr double noticed = 0.05;      ///< exponent of growth over a run
 
 std::string step_text(const Case& scene, double dt) {
     return shown(dt) + " s (c0 dt/dx = " + shown(dt * scene.media->fastest().c0 / scene.box.dx) + ")";
@@ -71,13 +72,14 @@ void Simulation::predict_growth() {
     summary_.growth = double(summary_.steps) * std::log(amplification(scene_, summary_.dt / same));
 }
 
-/// What grows by more than e in the run is told, and by more than what a weak integrator may, refused; not beside obstacles, whose
+/// What grows noticeably in the run is told with the limit, by more than e warned of, and by more than what a weak integrator may, refused; not beside obstacles, whose
 /// walls damp what is rough.
 void Simulation::judge_set() {
     const double exponent = set_.rate * scene_.until;
-    if (exponent <= 1) return;
+    if (exponent <= noticed) return;
     summary_.growth_rate = set_.rate;
     summary_.growth = std::max(summary_.growth, exponent);
+    if (exponent <= 1) return;
     const std::string problem = set_.cause + ": " + growth_text(set_, summary_, scene_.until);
     if (exponent > weak_exponent && !scene_.step.allow_unstable && scene_.obstacles.empty())
         throw Error(Fault::input, scene_.file + ": " + set_.place, problem, set_.remedy + ", or set /integrator/unstable to \"allow\" to study the failure");

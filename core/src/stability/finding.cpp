@@ -1,12 +1,15 @@
 #include <cmath>
 
 #include <sphonic/json.hpp>
+#include <sphonic/simulation.hpp>
 #include <sphonic/stability_report.hpp>
 
 #include "scene.hpp"
 
 namespace sphonic {
 namespace {
+
+constexpr double small_step = 0.1;    ///< times the largest frequency
 
 Json step_json(const Case& scene, double dt) { return {{"dt", dt}, {"courant_dx", courant_dx(scene, dt)}}; }
 
@@ -27,6 +30,11 @@ StabilityFinding find_stability(const Case& scene, const StabilityTrial::Options
         const StepTheory theory(scene);
         found.basis = theory.basis();
         found.predicted = theory.limit();
+        if (found.predicted.dt == 0 && found.predicted.frequency > 0) {
+            const bool own = scene.step.dt || scene.step.courant;
+            const double dt = own ? asked_step(scene, 0) : small_step / found.predicted.frequency;
+            found.any_step = {dt, theory.growth(dt)};
+        }
         if (theory.by_box() && is_viscous(scene)) {
             found.inviscid = StepTheory(scene, {.viscosity = 0}).limit().dt;
             found.always_on = StepTheory(scene, {}).limit().dt;
@@ -48,6 +56,7 @@ Json to_json(const Case& scene, const StabilityFinding& finding, const Stability
     predicted["basis"] = finding.basis;
     predicted["weakly_unstable"] = finding.predicted.weak;
     if (finding.predicted.weak) predicted["mild"] = step_json(scene, finding.predicted.mild);
+    if (finding.any_step) predicted["at_any_step"] = {{"dt", finding.any_step->dt}, {"growth_per_step", finding.any_step->growth}};
     if (finding.inviscid) predicted["inviscid"] = step_json(scene, *finding.inviscid);
     if (finding.always_on) predicted["always_on"] = step_json(scene, *finding.always_on);
     measured["precision"] = finding.measured.precision;

@@ -85,7 +85,7 @@ Chart StabilityMap::cell_chart() const {
     const double width = (varied_[0].to - varied_[0].from) / (varied_[0].count - 1), height = (varied_[1].to - varied_[1].from) / (varied_[1].count - 1);
     std::vector<Curve> cells;
     const bool weak = points_[0].weak;
-    for (const char* label : {weak ? "measured: less than e^12 in the run" : "measured: stable", "measured: grows by less than 1 % a step", "measured: grows faster"})
+    for (const char* label : {weak ? "measured: less than e^12 in the run" : "measured: stable", "measured: grows by less than 1 % a step", "measured: grows by 1 % a step or more"})
         cells.push_back({.label = label, .x = {}, .y = {}, .style = Style::cells, .family = int(cells.size()), .cell_width = width, .cell_height = height});
     std::vector<double> x, y, beyond;
     for (int i = 0; i < varied_[0].count; ++i) x.push_back(varied_[0].value(i));

@@ -24,16 +24,17 @@ std::vector<const SourceUse*> waves_of(const Case& scene) {
     return waves;
 }
 
+/// What keeps long waves at their wrong speed, and what to choose instead.
+std::string stalled_remedy(const Case& scene) {
+    for (const Variable& v : scene.equations.variables)
+        for (const Term& term : v.terms)
+            if (!term.fitted.empty()) return "points_per_wavelength will not converge. Give the form more points_per_wavelength or a wider support";
+    return std::string("h/dx will not converge. Choose another h/dx, ") + (scene.box.dimension == 1 ? "such as 1 with cubic_spline, " : "") + "or corrected_acoustics";
+}
+
 void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) {
     const auto waves = waves_of(scene);
     if (waves.empty()) return;
-    for (const SourceUse* use : waves) {
-        const abi::PlaneWave* wave = use->source->wave();
-        const double per_wavelength = 2 * std::acos(-1.0) * scene.medium.c0 / (wave->omega * scene.box.dx);
-        if (per_wavelength < 6)
-            out.warnings.push_back("the highest source frequency has " + shown(per_wavelength, 2) +
-                                   " points per wavelength: waves this short travel wrongly or not at all");
-    }
     out.l2 = fronts_error(scene, waves, prepared.dt);
     if (!out.l2) {
         out.basis = "l2: not foreseen, the sources send too many periods; ";
@@ -77,8 +78,7 @@ Prediction predict(const Case& scene, const Summary& prepared) {
         out.speed_error = long_wave_speed(scene, waves.empty() ? x_axis : waves[0]->source->wave()->direction) - 1;
         if (std::abs(*out.speed_error) > 1e-3)
             out.warnings.push_back("long waves run at the wrong speed by " + percent(*out.speed_error) +
-                                   ": refining dx at fixed h/dx will not converge. Choose another h/dx" +
-                                   (scene.box.dimension == 1 ? ", such as 1 with cubic_spline" : ""));
+                                   ": refining dx at fixed " + stalled_remedy(scene));
         predict_waves(scene, prepared, out);
     }
     out.basis += &costs == &reference_costs() ? "cpu_s: costs of the reference machine, `sphonic calibrate` measures this one" : "cpu_s: calibrated costs of this machine";

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <random>
 
+#include <sphonic/stability.hpp>
+
 #include "linear_algebra.hpp"
 
 namespace sphonic {
@@ -15,10 +17,11 @@ constexpr double grows = 1e-4;         ///< of |xi| - 1: what counts as growth, 
 constexpr double clearly = 1e-3;       ///< the same, where the largest shows in repetition
 constexpr std::size_t most = 640;      ///< values of a map that is found column by column
 constexpr int repetitions = 1500;      ///< of a larger one
+constexpr int at_once = 10;            ///< of them, whose growth is far from overflow
 
 }    // namespace
 
-StepMap::StepMap(const Case& scene) : scene_(scene), system_(scene) {}
+StepMap::StepMap(const Case& scene) : scene_(scene), system_(scene), viscous_(is_viscous(scene)) {}
 
 void StepMap::step() {
     scene_.integrator->step(system_, {index_, double(index_) * dt_, dt_});
@@ -53,18 +56,21 @@ void StepMap::begin(double dt) {
     }
 }
 
-/// The odd part of a step at small x. Time goes on, as walls ask for the time that has passed since the step before.
-void StepMap::apply(const double* x, double* y) {
+/// Steps from small x; of one where viscosity acts on approaching particles only, the odd part. Time goes on, as walls ask for the time
+/// that has passed since the step before.
+void StepMap::apply(const double* x, double* y, int steps) {
+    const std::vector<double> both{0.5, -0.5}, one{1};
     std::fill_n(y, rest_.size(), 0.0);
-    for (const double sign : {0.5, -0.5}) {
+    for (const double share : viscous_ ? both : one) {
+        const double sign = share > 0 ? 1 : -1;
         std::size_t i = 0;
         for (const auto& values : all_)
-            for (double& value : values) value = rest_[i] + 2 * sign * unit_[i] * x[i], ++i;
-        step();
+            for (double& value : values) value = rest_[i] + sign * unit_[i] * x[i], ++i;
+        for (int k = 0; k < steps; ++k) step();
         all_ = system_.everything();
         i = 0;
         for (const auto& values : all_)
-            for (const double value : values) y[i] += sign * (value - rest_[i]) / unit_[i], ++i;
+            for (const double value : values) y[i] += share * (value - rest_[i]) / unit_[i], ++i;
     }
 }
 
@@ -78,7 +84,7 @@ double StepMap::root_of_all() {
     std::vector<double> matrix(n * n), x(n, 0.0), y(n);
     for (std::size_t column = 0; column < n; ++column) {
         x[column] = 1;
-        apply(x.data(), y.data());
+        apply(x.data(), y.data(), 1);
         x[column] = 0;
         for (std::size_t row = 0; row < n; ++row) matrix[row * n + column] = y[row];
     }
@@ -92,9 +98,10 @@ double StepMap::root_by_repetition() {
     std::vector<double> x(rest_.size()), y(rest_.size());
     std::mt19937_64 bits(1);
     for (double& value : x) value = double(bits() >> 11) * 0x1p-52 - 1;
+    const int steps = viscous_ ? 1 : at_once;
     double log_growth = 0;
-    for (int k = 0; k < repetitions; ++k) {
-        apply(x.data(), y.data());
+    for (int k = 0; k < repetitions; k += steps) {
+        apply(x.data(), y.data(), steps);
         const double size = std::sqrt(std::inner_product(y.begin(), y.end(), y.begin(), 0.0) / std::inner_product(x.begin(), x.end(), x.begin(), 0.0));
         if (2 * k >= repetitions) log_growth += std::log(size);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = y[i] / size;

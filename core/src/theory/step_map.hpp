@@ -20,6 +20,7 @@ public:
 private:
     const Case& scene_;
     ParticleSystem system_;
+    bool viscous_;
     std::vector<std::span<double>> all_;
     std::vector<double> rest_, unit_;    ///< of each value
     double dt_ = 0;
@@ -27,7 +28,7 @@ private:
 
     void begin(double dt);
     void step();
-    void apply(const double* x, double* y);
+    void apply(const double* x, double* y, int steps);
     double root_of_all();
     double root_by_repetition();
 };

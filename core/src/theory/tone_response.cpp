@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include <sphonic/prediction.hpp>
+
+#include "carried_wave.hpp"
 #include "linear_algebra.hpp"
 #include "mode_system.hpp"
-#include <sphonic/prediction.hpp>
 
 namespace sphonic {
 namespace {
@@ -23,29 +25,10 @@ std::complex<double> forced_pressure(const Case& scene, double k, const double* 
     return z[std::size_t(mode.row(variable))];
 }
 
-/// The wave number that travels with frequency `omega` along `direction`, on the branch that begins at k = 0.
-std::optional<double> wave_number(const Case& scene, double omega, const double* direction, double dt, int medium) {
-    const auto frequency = [&](double k) { return travelling_mode(scene, k, direction, dt, undamped, medium).omega; };
-    const double step = 0.02 * pi / scene.box.dx;
-    double low = 0, high = step, reached = frequency(high);
-    while (reached < omega) {
-        low = high;
-        high += step;
-        const double next = frequency(high);
-        if (next <= reached) return std::nullopt;    // beyond the top of the band
-        reached = next;
-    }
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (frequency(middle) < omega ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 /// In 1-D the far field is the residue of the forced response at the travelling wave's pole, i/(2 c0) in the medium; circles
 /// and spheres carry k^((d-1)/2) besides, as if the set were isotropic with this direction's dispersion.
 std::optional<abi::ToneResponse> along(const Case& scene, double omega, const double* direction, double dt, int medium) {
-    const auto k = wave_number(scene, omega, direction, dt, medium);
+    const auto k = carried_wave_number(scene, omega, direction, dt, medium);
     if (!k) return std::nullopt;
     const double e = 1e-3 * *k;
     const auto inverse = [&](double at) { return 1.0 / forced_pressure(scene, at, direction, omega, dt, medium); };
@@ -54,6 +37,27 @@ std::optional<abi::ToneResponse> along(const Case& scene, double omega, const do
 }
 
 }    // namespace
+
+std::optional<double> carried_wave_number(const Case& scene, double omega, const double* direction, double dt, int medium, double* top) {
+    const auto frequency = [&](double k) { return travelling_mode(scene, k, direction, dt, undamped, medium).omega; };
+    const double step = 0.02 * pi / scene.box.dx;
+    double low = 0, high = step, reached = frequency(high);
+    while (reached < omega) {
+        low = high;
+        high += step;
+        const double next = frequency(high);
+        if (next <= reached || high > (1 + 1e-9) * pi / scene.box.dx) {    // beyond the top of the band
+            if (top) *top = reached;
+            return std::nullopt;
+        }
+        reached = next;
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (frequency(middle) < omega ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
 
 std::optional<abi::ToneResponse> tone_response(const Case& scene, double omega, double dt, int medium) {
     const double diagonal2[3] = {std::sqrt(0.5), std::sqrt(0.5), 0}, diagonal3[3] = {std::sqrt(1. / 3), std::sqrt(1. / 3), std::sqrt(1. / 3)},

@@ -48,6 +48,8 @@ public:
     virtual void enlist(const Points&, double) {}
     /// The frequency [rad/s] of a source of one steady tone that wants to be matched to its set; 0 for all others.
     virtual double tone() const { return 0; }
+    /// The highest frequency [rad/s] that it sends with a tenth or more of the amplitude of its strongest; 0 if it does not know.
+    virtual double highest_frequency() const { return wave() ? wave()->omega : tone(); }
     /// Called before the first step with the set's response at `tone()`.
     virtual void match(const ToneResponse&) {}
     /// The field, or what is added to its rates, at time t [s] and the current positions; values that the source does not act on are zero.
