@@ -8,6 +8,7 @@
 #include <sphonic/registry.hpp>
 
 #include "commands.hpp"
+#include "planned.hpp"
 
 namespace sphonic::driver {
 namespace {
@@ -32,7 +33,7 @@ Json check_json(const Summary& s, const Prediction& p) {
 
 int check(const RunOptions& options) {
     Registry registry(Registry::search_path(options.plugin_path));
-    const Case scene = load_case(options.file, options.set, registry);
+    const Case scene = load_planned(options.file, options.set, registry);
     const Simulation simulation(scene);
     const Summary& s = simulation.summary();
     const Prediction p = predict(scene, s);
