@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "limit_words.hpp"
+#include "planned.hpp"
 
 namespace sphonic::driver {
 namespace {
@@ -33,7 +34,7 @@ Json check_json(const Summary& s, const Prediction& p) {
 
 int check(const RunOptions& options) {
     Registry registry(Registry::search_path(options.plugin_path));
-    const Case scene = load_case(options.file, options.set, registry);
+    const Case scene = load_planned(options.file, options.set, registry);
     const Simulation simulation(scene);
     const Summary& s = simulation.summary();
     Prediction p = predict(scene, s);

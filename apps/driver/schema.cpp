@@ -106,13 +106,13 @@ Json case_schema(const Plugins& plugins, Registry& registry) {
     Json schema = object({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                           {"title", std::string("A case of sphonic ") + version()}});
     schema.update(closed(case_members(), {"dimension", "medium", "particles", "integrator", "until"}));
-    schema["dependentRequired"] = object({{"viscosity", Names{"equations"}}, {"dissipation", Names{"equations"}}});
     schema["allOf"] = Json::array();
     for (int d = 1; d <= 3; ++d) schema["allOf"].push_back(dimension_rule(plugins, d));
-    schema["allOf"].push_back(method_rule(plugins, registry));
     schema["$defs"] = kind_schemas(plugins, registry);
     schema["$defs"]["equations"] = equations_schema(plugins);
-    return schema;
+    Json needs = method_rule(plugins, registry);
+    needs["dependentRequired"] = object({{"viscosity", Names{"equations"}}, {"dissipation", Names{"equations"}}});
+    return with_open_places(std::move(schema), needs);
 }
 
 }    // namespace

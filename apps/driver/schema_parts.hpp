@@ -56,6 +56,9 @@ Json vectors_of(const Plugins& plugins, const std::string& kind, const Json& sch
 /// "x_min" ... of so many axes.
 Json faces(int dimension);
 
+/// The same schema for cases that say "auto" where a plan may decide. Without /accuracy all these must be given, and `needs` holds too.
+Json with_open_places(Json schema, const Json& needs);
+
 /// A preset's name, or the assembly.
 Json equations_schema(const Plugins& plugins);
 

@@ -125,6 +125,19 @@ TEST_CASE("the error of several waves at once is predicted for grids", "[predict
     }
 }
 
+TEST_CASE("at the largest step a grid's travelling wave of few points sets out as it should", "[prediction][methods]") {
+    for (const int n : {5, 6, 8}) {    // waves over the box: 2
+        const Case c = scene(periodic_box(1, n), {R"(/method={"type":"fdtd"})", integrator("leapfrog", 1), "/until=4",
+                                                  R"json(/initial={"p":"cos(4*pi*x)","u":["cos(4*pi*x)/(rho0*c0)"]})json"});
+        Simulation simulation(c);
+        const Prediction p = predict(c, simulation.summary());
+        REQUIRE(p.l2);
+        simulation.run();
+        CHECK(*p.l2 < 1e-10);
+        CHECK(pressure_error(simulation, [&](double x) { return std::cos(4 * pi * (x - 2 * c.until)); }) < 1e-10);
+    }
+}
+
 TEST_CASE("with viscosity that acts on approaching particles the error is predicted to a factor of 1.5", "[prediction]") {
     int seen = 0;
     for (const int d : {1, 2})

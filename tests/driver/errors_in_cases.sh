@@ -26,6 +26,12 @@ refused_like 2 '*case.json: /method: method fdtd: the boundary of x_max is made 
 
 refused_like 2 '*case.json: /method: method fdtd: the boundary of x_max gives way, *' --set '/method={"type":"fdtd"}' --set '/boundaries=[{"type":"impedance","face":"x_max","impedance":400}]'
 
+echo "--- what is still to be planned"
+for key in method equations kernel integrator integrator/type integrator/courant particles/dx; do
+    refused 2 "case.json: /$key: \"auto\" is still to be planned. Give the case an \"accuracy\", such as { \"target\": 0.01 }, or use plan and then the case that it writes" --set "/$key=auto"
+done
+refused_like 2 'case.json: /boundaries/0/attenuation: "auto" is still to be planned. *' --set '/boundaries=[{"type":"absorbing_layer","face":"x_max","thickness":1,"attenuation":"auto"}]'
+
 echo "--- types"
 for key in viscosity dissipation kernel kernels reference initial output particles integrator method; do
     refused 2 "case.json: /$key: [] is not an object. Write { ... } here" --set "/$key=[]"

@@ -98,6 +98,10 @@ EDGE = {"type": "expression", "surface": "3 - x"}
 WAVE = {"type": "travelling_wave", "wave_number": [1]}
 DENSITY = {"drho": [TERM | {"times": "-rho0"}], "p": {"state": "acoustic", "of": "drho"}, "u": BRAKED[:1]}
 
+PLANNED = [("method",), ("equations",), ("kernel",), ("integrator",), ("integrator", "type"), ("integrator", "courant"), ("particles", "dx")]
+OPEN = [(("viscosity",), ABSENT), (("until",), 0.003), (("kernel",), {"type": "cubic_spline", "h_over_dx": 1.3})]
+LAYER = [{"type": "absorbing_layer", "face": "x_max", "thickness": 1, "attenuation": "auto"}]
+
 
 def edited(*edits):
     """BASE with each (path, value) put in place; a part of a path that is not there is made."""
@@ -178,6 +182,13 @@ changes = [
     [(("method",), {"type": "particles"})], [(("method",), {})], [(("method",), {"type": "fdtd"})],
     [(("method",), {"type": "fdtd"}), (("equations",), ABSENT)],
     [(("method",), {"type": "fdtd"}), (("equations",), ABSENT), (("viscosity",), ABSENT), (("kernel",), ABSENT)],
+    # what plan decides
+    [(("accuracy",), {"target": 2})], [(("accuracy",), {"goal": 0.1})],
+    *[[(path, "auto")] for path in PLANNED],
+    *[OPEN + [(path, "auto"), (("accuracy",), {"target": 0.2})] for path in PLANNED + [("active",), ("particles", "motion")]],
+    [(("integrator",), ABSENT), (("particles", "dx"), ABSENT), (("accuracy",), {"target": 0.2})] + OPEN, [(("kernel",), "atuo"), (("accuracy",), {"target": 0.2})],
+    [(("particles", "dx"), "atuo"), (("accuracy",), {"target": 0.2})], [(("integrator", "type"), "atuo"), (("accuracy",), {"target": 0.2})],
+    [(("kernel", "type"), "auto")], [(("until",), "auto")], [(("boundaries",), LAYER)], [(("boundaries",), LAYER), (("accuracy",), {"target": 0.2})] + OPEN,
 ]
 taken = 0
 for edits in changes:

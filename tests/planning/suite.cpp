@@ -103,6 +103,34 @@ TEST_CASE("layers are made to return less than half of the target", "[plan]") {
     CHECK_THAT(weak.warnings[0], Catch::Contains("/boundaries/0/attenuation") && Catch::Contains("66 dB"));
 }
 
+TEST_CASE("particles that move, and rest that is stepped, are decided against where all is free", "[plan]") {
+    Json moving = open_case();
+    moving["particles"].update({{"motion", "lagrangian"}, {"dx", 0.1}});
+    moving["active"] = "all";
+    moving["kernel"] = {{"type", "cubic_spline"}, {"h_over_dx", 1.3}};
+    moving["equations"] = "lagrangian_acoustics";
+    moving["integrator"] = {{"type", "leapfrog"}, {"courant", 0.3}};
+    const auto decided = [](const Plan& plan, const std::string& what) {
+        const auto found = std::ranges::find(plan.decisions, what, &Decision::what);
+        return found == plan.decisions.end() ? Decision{} : *found;
+    };
+    const Plan all = make_plan(moving, "open.json", {.free = true}, registry());
+    CHECK(decided(all, "/particles/motion").value == "frozen");
+    CHECK_THAT(decided(all, "/particles/motion").saves, Catch::Contains("times the time"));
+    CHECK(decided(all, "/active").value == "auto");
+    CHECK_THAT(decided(planned("air_water", 0.01), "/particles/dx").why, Catch::Contains("slowest"));
+}
+
+TEST_CASE("layers that throw back more the steeper they damp are made weaker", "[plan]") {
+    const Plan plan = make_plan(read_json(file_of("pulse_3d_absorbed")), file_of("pulse_3d_absorbed"), {.target = 0.01, .free = true, .budget_s = 8}, registry());
+    CHECK(plan.document["boundaries"][0]["attenuation"] < 46);
+    CHECK_THAT(plan.basis, Catch::Contains("what layers return") && !Catch::Contains("without"));
+    const Summary s = run_of(plan, "pulse_3d_absorbed");
+    CHECK(s.errors->l2 <= 0.01);
+    CHECK(s.errors->l2 < 1.5 * plan.l2);
+    CHECK(s.errors->l2 > plan.l2 / 1.5);
+}
+
 TEST_CASE("a case that cannot be planned is refused at its place", "[plan]") {
     Json without = open_case();
     without.erase("particles");

@@ -40,6 +40,9 @@ struct KeyRule {
 };
 std::span<const KeyRule> key_rules(const std::string& kind);
 
+/// Where a case may say "auto" for `plan` to decide, as JSON pointers; "*" is each member of a list.
+std::span<const std::string> planned_places();
+
 /// Names that expressions give a meaning of their own: no variable can have them.
 std::span<const std::string> reserved_names();
 

@@ -17,6 +17,8 @@ struct Choice {
     std::string name() const;    ///< with the step
 };
 
+bool several_media(const OpenCase& open);
+
 std::vector<Choice> choices(const OpenCase& open);
 
 /// Spacings [m] from coarse to fine, by a tenth each, at which both ends of every closed axis lie on particles; of several media each

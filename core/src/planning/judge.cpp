@@ -58,7 +58,11 @@ std::optional<Judgement> Judge::judge(const Json& document, double most_cpu_s) {
         if (cpu_s > most_cpu_s) return {};
         refusal = Refusal::none;
         if (theory_ && theory_holds(scene))
-            if (const auto judgement = by_theory(scene, simulation.summary(), target_, cpu_s)) return judgement;
+            if (auto judgement = by_theory(scene, simulation.summary(), target_, cpu_s)) {
+                judgement->l2 = std::hypot(judgement->l2, returned_);
+                if (returned_ > 0) judgement->basis = judgement->basis.substr(0, judgement->basis.find(", without what comes back")) + returned_basis_;
+                return judgement;
+            }
         const auto judgement = by_run(document, scene, simulation, cpu_s);
         budget_s_ -= cpu_seconds() - begin;
         return judgement;
@@ -77,9 +81,25 @@ std::optional<Judgement> Judge::by_run(const Json& document, const Case& scene, 
     }
     simulation.run();
     const Summary& s = simulation.summary();
-    if (s.diverged) return Judgement{infinite, cpu_s, "l2: a run that diverged"};
-    if (s.errors) return Judgement{std::isfinite(s.errors->l2) ? s.errors->l2 : infinite, cpu_s, "l2: a run beside the exact solution"};
-    return Judgement{against_finer(document, scene, simulation), cpu_s, "l2: 4/3 of the difference from a run at half the spacing"};
+    if (s.diverged) return Judgement{infinite, cpu_s, "l2: a run that diverged", true};
+    if (s.errors) return Judgement{std::isfinite(s.errors->l2) ? s.errors->l2 : infinite, cpu_s, "l2: a run beside the exact solution", true};
+    return Judgement{against_finer(document, scene, simulation), cpu_s, "l2: 4/3 of the difference from a run at half the spacing", true};
+}
+
+std::optional<double> Judge::beyond_theory(const Json& document) {
+    try {
+        const Case scene = load_case(document, file_, registry_);
+        if (!scene.reference || !theory_holds(scene)) return {};
+        Simulation simulation(scene);
+        std::string why;
+        const auto theory = field_error(scene, simulation.summary().dt, simulation.summary().steps, why);
+        const auto run = theory ? measured(document) : std::nullopt;
+        if (!run || !std::isfinite(run->first)) return {};
+        return std::sqrt(std::max(0.0, run->first * run->first - theory->l2() * theory->l2()));
+    } catch (const Error& e) {
+        if (e.fault != Fault::input) throw;
+        return {};
+    }
 }
 
 double Judge::against_finer(const Json& document, const Case& scene, Simulation& run) {

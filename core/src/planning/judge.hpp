@@ -10,6 +10,7 @@ namespace sphonic {
 struct Judgement {
     double l2 = 0, cpu_s = 0;    ///< cpu_s is predicted
     std::string basis;           ///< of l2
+    bool ran = false;            ///< l2 is a run's
 };
 
 /// Says what a case would give: its error by theory where it holds, else by a run, and its predicted cost.
@@ -27,9 +28,15 @@ public:
     /// Error and CPU time of a run; nothing where the case has no reference, or the budget no room.
     std::optional<std::pair<double, double>> measured(const Json& document);
 
+    /// What a run errs beyond theory, of a case that theory follows but for what its faces return; nothing for others.
+    std::optional<double> beyond_theory(const Json& document);
+    /// From now on theory's errors have this one beside them.
+    void add_returned(double l2, const std::string& basis) { returned_ = l2, returned_basis_ = basis; }
+
     /// From now on only runs count.
     void distrust_theory() { theory_ = false; }
     bool trusts_theory() const { return theory_; }
+    double budget_s() const { return budget_s_; }
 
 private:
     const std::string file_;
@@ -37,6 +44,8 @@ private:
     const double target_;
     double budget_s_;
     bool theory_ = true;
+    double returned_ = 0;    ///< by layers
+    std::string returned_basis_;
 
     std::optional<Judgement> by_run(const Json& document, const Case& scene, Simulation& simulation, double cpu_s);
     double against_finer(const Json& document, const Case& scene, Simulation& run);

@@ -38,7 +38,7 @@ std::vector<Rung> ladder(const Json& given, const OpenCase& open, bool flat, con
         change();
         if (now != before) add_rung(rungs, name, now, open.file, registry);
     };
-    step("particles that stay", [&] { copy(now["particles"], to["particles"], "motion"), copy(now["particles"], to["particles"], "neighbours"); });
+    step(particles_that_stay, [&] { copy(now["particles"], to["particles"], "motion"), copy(now["particles"], to["particles"], "neighbours"); });
     step("the planned step", [&] { copy(now, to, "integrator"); });
     step("no viscosity", [&] { copy(now, to, "viscosity"); });
     step("the planned equations and kernel", [&] {

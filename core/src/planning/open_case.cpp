@@ -86,6 +86,9 @@ OpenCase opened(const Json& document, const std::string& file, bool free) {
     if (open.spacing) take_out(d["particles"], "dx");
     if (open.viscosity) take_out(d, "viscosity");
     if (free) take_out(d, "dissipation");
+    open.motion = free && d["particles"].value("motion", Json("auto")) == "lagrangian";
+    open.active = free && d.value("active", Json("auto")) == "all";
+    if (open.active) take_out(d, "active");
     if (free || is_auto(d["particles"], "motion")) take_out(d["particles"], "motion");
     if (free) take_out(d["particles"], "neighbours");
     if (!d["particles"].contains("type")) d["particles"]["type"] = "lattice";

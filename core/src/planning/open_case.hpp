@@ -12,6 +12,7 @@ struct OpenCase {
     Json document;
     std::string file;
     bool method = false, equations = false, kernel = false, spacing = false, step = false, integrator = false, viscosity = false;
+    bool motion = false, active = false;    ///< given otherwise than a plan has them
     bool attenuation = false;    ///< of absorbing layers
 
     bool anything() const { return method || equations || kernel || spacing || step; }

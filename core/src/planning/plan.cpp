@@ -10,6 +10,7 @@
 
 #include "field_waves.hpp"
 #include "ladder.hpp"
+#include "layers.hpp"
 #include "search.hpp"
 
 namespace sphonic {
@@ -36,25 +37,6 @@ double shortest_of(const OpenCase& open, double target, Registry& registry) {
     throw Error(Fault::input, open.file + ": /", "it cannot be planned: " + why, "Mend that first");
 }
 
-/// Absorbing layers return less than half of the target: 6 dB below it.
-void fit_layers(OpenCase& open, const PlanRequest& request, Plan& plan) {
-    if (!open.document.contains("boundaries")) return;
-    const double needed = std::ceil(-20 * std::log10(request.target) + 6);
-    for (std::size_t i = 0; i < open.document["boundaries"].size(); ++i) {
-        Json& boundary = open.document["boundaries"][i];
-        if (boundary.value("type", "") != "absorbing_layer") continue;
-        const std::string place = "/boundaries/" + std::to_string(i) + "/attenuation";
-        const bool given = boundary.contains("attenuation") && boundary["attenuation"] != "auto";
-        if (given && boundary["attenuation"] >= needed) continue;
-        if (given && !open.attenuation) {
-            plan.warnings.push_back(place + ": " + boundary["attenuation"].dump() + " dB come back, a target of " + shown(request.target) + " needs " + shown(needed) + " dB");
-            continue;
-        }
-        boundary["attenuation"] = needed;
-        plan.decisions.push_back({place, needed, "what the layer returns must stay 6 dB below the target of " + shown(request.target), ""});
-    }
-}
-
 /// Of the cheapest that chooses a part otherwise.
 std::string savings(const Search& search, const std::string& pointer) {
     const Json::json_pointer at(pointer);
@@ -78,9 +60,19 @@ void explain(const OpenCase& open, const Search& search, Plan& plan) {
     decide(open.equations, "/equations", best.choice.support > 0 ? "weights fitted to the scene's waves and the step" : cheapest);
     decide(open.kernel, "/kernel", best.choice.support > 0 ? "fitted weights need none; it sets the smallest neighbourhood" : cheapest);
     if (open.spacing)
-        plan.decisions.push_back({"/particles/dx", best.dx, "the coarsest of these at which the target is met", ""});
+        plan.decisions.push_back({"/particles/dx", best.dx, std::string("the coarsest of these at which the target is met") +
+                                                                (several_media(open) ? "; one for all media, so the slowest, with the shortest waves, decides" : ""), ""});
     decide(open.step, "/integrator", "its step: the error in time and in space offset each other, or the largest stable one");
     if (open.viscosity) plan.decisions.push_back({"/viscosity", nullptr, "the sound needs none: it damps what it should carry", ""});
+}
+
+/// What was not searched, with what the ladder says of it.
+void explain_rest(const OpenCase& open, Plan& plan) {
+    std::string saved;
+    for (std::size_t i = 1; i < plan.ladder.size(); ++i)
+        if (plan.ladder[i].name == particles_that_stay && plan.ladder[i].cpu_s > 0) saved = shown(plan.ladder[i - 1].cpu_s / plan.ladder[i].cpu_s, 2) + " times the time";
+    if (open.motion) plan.decisions.push_back({"/particles/motion", "frozen", "sound moves particles by a small part of its wavelength, and their neighbours stay", saved});
+    if (open.active) plan.decisions.push_back({"/active", "auto", "what no sound has reached, or what no longer matters, is not stepped, and no result changes", ""});
 }
 
 [[noreturn]] void nothing_found(const OpenCase& open, const PlanRequest& request, const Search& search) {
@@ -119,9 +111,10 @@ Plan make_plan(const Json& document, const std::filesystem::path& file, const Pl
     OpenCase open = opened(document, file.string(), request.free);
     plan.decisions = drop_axes(open.document);
     const bool flat = !plan.decisions.empty();
-    fit_layers(open, request, plan);
+    const std::vector<std::size_t> layers = fit_layers(open, request, plan);
     const double shortest = shortest_of(open, request.target, registry);
     Judge judge(open.file, registry, request.target, request.budget_s);
+    if (open.document.contains("boundaries")) weigh_layers(open, layers, request.target, shortest, judge, plan);
     Search found = search(open, request.target, shortest, judge);
     settle(open, request, shortest, judge, found, plan);
     const Found& best = found.found.front();
@@ -129,11 +122,13 @@ Plan make_plan(const Json& document, const std::filesystem::path& file, const Pl
     std::set<std::string> seen;
     for (const Found& one : found.found)
         if (seen.insert(one.choice.family).second) plan.families.push_back({one.choice.name() + ", dx = " + shown(one.dx) + " m", one.judgement.l2, one.judgement.cpu_s});
+    if (found.cut_short) plan.warnings.push_back("the search ended before all was looked at: it took longer than it can save (--budget)");
     plan.document = best.document;
     plan.l2 = best.judgement.l2;
     plan.cpu_s = best.judgement.cpu_s;
     plan.basis = best.judgement.basis;
     plan.ladder = ladder(document, open, flat, best, registry);
+    explain_rest(open, plan);
     return plan;
 }
 

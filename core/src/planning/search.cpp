@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "machine.hpp"
+
 namespace sphonic {
 namespace {
 
@@ -20,13 +22,25 @@ struct Walk {
     Choice choice;
     double last_dx = 0, last_cpu_s = 0, skip_above = std::numeric_limits<double>::infinity();
     int refused = 0;    ///< times in a row
+    std::optional<Judgement> last;    ///< settled
+
+    bool of_second_order() const { return choice.support == 0 && choice.family != "fdtd 4" && choice.family != "kspace"; }
 
     /// From the last spacing's: particles and steps.
     double cost_at(double dx, int dimension) const { return last_dx > 0 ? last_cpu_s * std::pow(last_dx / dx, dimension + 1) : 0; }
     void note(double dx, const Judgement& judgement, double target) {
+        constexpr double settled = 0.5;    // an error below has come to its order, two unless weights are fitted, less where something else remains
+        double order = 2;
+        if (last && judgement.ran) order = std::clamp(std::log(last->l2 / judgement.l2) / std::log(last_dx / dx), 0.8, 2.0);
         last_dx = dx, last_cpu_s = judgement.cpu_s;
-        constexpr double settled = 0.5;    // an error below has come to its order, two unless weights are fitted
-        if (choice.support == 0 && choice.family != "fdtd 4" && choice.family != "kspace" && judgement.l2 < settled) skip_above = 1.15 * dx * std::sqrt(target / judgement.l2);
+        if (!of_second_order() || judgement.l2 >= settled) return;
+        skip_above = (judgement.ran ? 1.05 : 1.15) * dx * std::pow(target / judgement.l2, 1 / order);
+        last = judgement;
+    }
+    /// A run of another choice erred less for less, and both do so at the same order.
+    bool outdone_by(const Walk& other) const {
+        constexpr double clearly = 1.15;
+        return last && other.last && last->ran && other.last->ran && last->l2 > clearly * other.last->l2 && last->cpu_s > clearly * other.last->cpu_s;
     }
 };
 
@@ -37,8 +51,10 @@ Search search(const OpenCase& open, double target, double shortest, Judge& judge
     std::vector<Walk> left;
     for (Choice& choice : choices(open)) left.push_back({std::move(choice)});
     double best = std::numeric_limits<double>::infinity();
+    const double begin = cpu_seconds(), patience = judge.budget_s() / 4;
     for (const double dx : spacings(open, shortest / 2.2, most_particles)) {
         std::erase_if(left, [&](Walk& walk) {
+            if (!result.found.empty() && cpu_seconds() - begin > patience) return result.cut_short = true;
             const double most = (judge.trusts_theory() ? worth_knowing : worth_running) * std::max(best, shortest_time);
             if (walk.cost_at(dx, open.dimension()) > most) return true;
             if (dx > walk.skip_above) return false;
@@ -58,6 +74,7 @@ Search search(const OpenCase& open, double target, double shortest, Judge& judge
             best = std::min(best, judgement->cpu_s);
             return true;
         });
+        std::erase_if(left, [&](const Walk& walk) { return std::ranges::any_of(left, [&](const Walk& other) { return walk.outdone_by(other); }); });
         if (left.empty()) break;
     }
     std::ranges::sort(result.found, {}, [](const Found& f) { return f.judgement.cpu_s; });

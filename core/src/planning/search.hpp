@@ -20,10 +20,11 @@ struct Search {
     std::vector<Found> found;
     std::optional<Found> nearest;
     bool out_of_budget = false;
+    bool cut_short = false;    ///< something was found, and to look on took a quarter of the budget
     std::string refused;    ///< the last reason of a case that was
 };
 
-/// Goes through all choices, each from coarse spacings to fine until it meets `target` or costs far more than the best.
+/// Goes through all choices, each from coarse spacings to fine until it meets `target`, costs far more than the best, or is outdone.
 Search search(const OpenCase& open, double target, double shortest, Judge& judge);
 
 }    // namespace sphonic

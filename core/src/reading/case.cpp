@@ -93,8 +93,23 @@ void pass_over_schema(Section& root) {
     if (schema && !schema->is_string()) root.fail("$schema", shown(*schema) + " is not a string", "Give a string");
 }
 
+/// `rest` of a place of `planned_places`, below a value that stands at `pointer`.
+void refuse_auto(const Section& root, const Json& value, const std::string& pointer, const std::string& rest) {
+    if (rest.empty()) {
+        if (value == "auto") throw Error(Fault::input, root.file() + ": " + pointer, "\"auto\" is still to be planned", "Give the case an \"accuracy\", such as { \"target\": 0.01 }, or use plan and then the case that it writes");
+        return;
+    }
+    const std::size_t end = std::min(rest.find('/', 1), rest.size());
+    const std::string key = rest.substr(1, end - 1), after = rest.substr(end);
+    if (key == "*" && value.is_array())
+        for (std::size_t i = 0; i < value.size(); ++i) refuse_auto(root, value[i], pointer + "/" + std::to_string(i), after);
+    else if (value.is_object() && value.contains(key))
+        refuse_auto(root, value[key], pointer + "/" + key, after);
+}
+
 void refuse_unplanned(Section& root) {
-    if (root.has("accuracy")) root.fail("accuracy", "this case is still to be planned", "Use run, or plan and then the case that it writes");
+    if (root.has("accuracy")) root.fail("accuracy", "this case is still to be planned", "Use check, run, or plan and then the case that it writes");
+    for (const std::string& place : planned_places()) refuse_auto(root, root.value(), "", place);
 }
 
 void read_title(Case& scene, Section& root) {

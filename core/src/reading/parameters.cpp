@@ -148,6 +148,12 @@ std::span<const KeyRule> key_rules(const std::string& kind) {
     return found == rules().end() ? std::span<const KeyRule>{} : found->second;
 }
 
+std::span<const std::string> planned_places() {
+    static const std::vector<std::string> all{"/method", "/equations", "/kernel", "/integrator", "/integrator/type", "/integrator/dt", "/integrator/courant",
+                                              "/integrator/safety", "/particles/dx", "/boundaries/*/attenuation"};
+    return all;
+}
+
 std::span<const std::string> reserved_names() {
     static const std::vector<std::string> names{"x", "y", "z", "r", "pi", "c0", "rho0", "K", "dx", "h"};
     return names;
