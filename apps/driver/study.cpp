@@ -32,7 +32,8 @@ fs::path default_folder(const Study& study, Registry& registry) {
 
 void print(const Study& study, const std::vector<StudyResult>& results, bool as_json) {
     if (!as_json) {
-        std::cout << study_markdown(study, results);
+        const StudyView worst = worst_view(study, results);
+        std::cout << study_markdown(worst.study, worst.results);
         return;
     }
     Json points = Json::array();

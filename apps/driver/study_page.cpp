@@ -98,14 +98,16 @@ constexpr const char* style =
 
 }    // namespace
 
-void write_study_page(const Study& study, const std::vector<StudyResult>& results, const fs::path& folder) {
+void write_study_page(const Study& whole, const std::vector<StudyResult>& all, const fs::path& folder) {
+    const auto [study, results] = worst_view(whole, all);
     const std::string interactive = interactive_chart(study, results);
     if (interactive.empty())
         log::warn((folder / "report.html").string() + ": has no interactive chart, as its scripts are not installed. Run npm ci --ignore-scripts in apps/report");
     const std::string missing = "<p>The interactive chart is left out: the scripts that draw it were not installed.</p>\n";
     std::string body = style + ("<h1>" + escaped(study.title) + "</h1>\n<p>" + escaped(study.description) + "</p>\n");
-    body += readings(study, results) + (interactive.empty() ? missing : interactive) + charts(study, folder) + ranked(study, results) + csv_link(study_csv(study, results));
-    body += notes(study, results);
+    body += readings(study, results) + (interactive.empty() ? missing : interactive) + charts(study, folder) + ranked(study, results) + csv_link(study_csv(whole, all));
+    body += notes(whole, all);
+    if (!study.worst_over.empty()) body += "<p>A point is the worst over " + escaped(study.worst_over) + "; its time is the mean over it.</p>\n";
     const std::string times = study.repeat > 1 ? "medians of " + std::to_string(study.repeat) + " runs, in turn with those of the other points" : std::string("one run each");
     body += "<p>CPU time is that of stepping, " + times + ". sphonic " + version() + " (" + commit() + ").</p>\n";
     write_file(folder / "report.html", html_page(study.title, body));

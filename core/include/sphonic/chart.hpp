@@ -18,6 +18,7 @@ struct Curve {
     std::vector<std::string> point_labels;    ///< none, or one per point (may be empty), drawn beside it
     int family = -1;                          ///< curves of the same family share a colour; -1: by position
     double cell_width = 0, cell_height = 0;   ///< of `cells`, on the panel's axes
+    std::string colour{};                     ///< of `cells`, "#rrggbb"; empty: by family
 };
 
 struct Axis {
@@ -94,7 +95,7 @@ struct CostTarget {
 };
 
 /// Error against cost on logarithmic axes: families by colour and marker, the points of a family that none of it beats full and
-/// joined, the others hollow, what is predicted of it dashed. The Pareto front of all points that such axes can show (both values
+/// joined, the others hollow, what is predicted of the joined ones dashed. The Pareto front of all points that such axes can show (both values
 /// positive) is a ringed step line. Every point is labelled; of more than 30 those that are best in their family, or best of all.
 Chart speed_accuracy_chart(const std::string& title, const std::vector<CostPoint>& points, const std::string& cost_label,
                            const std::string& error_label, const std::vector<CostTarget>& targets = {});

@@ -28,10 +28,11 @@ struct StudyDimension {
 
 /// A picture of the results. A *place* is a dimension, "family" or a JSON pointer into the case.
 struct StudyChart {
-    enum class Type { value, cost } type;
+    enum class Type { value, cost, map } type;
     std::string name;    ///< of its files
     std::string title;
-    std::string x, y;    ///< a place (CPU time in a cost chart) and a measure
+    std::string x, y;    ///< a place (CPU time in a cost chart) and a measure, in a map two dimensions
+    std::string measure{};    ///< of a map, which stands beside one of CPU time
     std::string
         group;    ///< the place that names the curve; empty: the dimensions other than x that have several values
     std::string x_label, y_label;
@@ -59,6 +60,7 @@ struct Study {
     std::filesystem::path file, scene;
     std::string title, description, measure;
     std::vector<std::string> also;     ///< more measures in the tables
+    std::string worst_over;            ///< a dimension: points that differ in it alone count as one, by the worst of them; empty: none
     std::vector<StudyDimension> vary;
     std::string source;    ///< of the printed values
     std::vector<StudyChart> charts;
@@ -120,6 +122,15 @@ std::vector<StudyResult> collect_study(const Study& study, const std::filesystem
 std::vector<StudyResult> run_study(const Study& study, Registry& registry, const std::filesystem::path& folder, bool force, const StudyListener& listen = {});
 /// The folder has this study's runs but not its tables.
 bool was_interrupted(const Study& study, Registry& registry, const std::filesystem::path& folder);
+
+/// A study and its results as they are ranked.
+struct StudyView {
+    Study study;
+    std::vector<StudyResult> results;
+};
+/// Points that differ in `worst_over` alone as one: the largest of the study's measure with the other measures of that run, CPU times
+/// averaged over all of them; where one of them failed, that one. Without `worst_over` everything as it is.
+StudyView worst_view(const Study& study, const std::vector<StudyResult>& results);
 
 /// The cheapest point of a family that meets a target, in CPU time.
 struct StudyReading {

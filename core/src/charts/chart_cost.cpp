@@ -23,7 +23,7 @@ std::vector<std::size_t> front_of(const std::vector<CostPoint>& points, const st
     return front;
 }
 
-/// What a family looks like: its best points joined and full, the others hollow, its prediction dashed.
+/// What a family looks like: its best points joined and full, the others hollow, what is predicted of the best dashed.
 struct Family {
     std::string name;
     std::vector<std::size_t> points, best;
@@ -74,7 +74,7 @@ Curve prediction_of(const std::vector<CostPoint>& points, std::vector<std::size_
 void add_family(Panel& panel, const std::vector<CostPoint>& points, const Family& family, int index, const std::set<std::size_t>& named) {
     std::vector<std::size_t> others = family.points;
     std::erase_if(others, [&](std::size_t i) { return std::ranges::count(family.best, i) > 0; });
-    Curve best = curve_through(points, family.best, named), rest = curve_through(points, others, named), theory = prediction_of(points, family.points);
+    Curve best = curve_through(points, family.best, named), rest = curve_through(points, others, named), theory = prediction_of(points, family.best);
     best.label = family.name;
     best.style = Curve::Style::line_points;
     rest.style = Curve::Style::points;

@@ -28,7 +28,8 @@ Ink ink_of(const Panel& panel, const Frame& frame, double font) {
             const Pixel p = frame.at(curve.x[i], curve.y[i]);
             if (curve.style == Curve::Style::cells) {
                 const Pixel low = frame.at(curve.x[i] - curve.cell_width / 2, curve.y[i] - curve.cell_height / 2);
-                ink.box({low.x, low.y, 2 * p.x - low.x, 2 * p.y - low.y}, 1);
+                const Pixel high = frame.at(curve.x[i] + curve.cell_width / 2, curve.y[i] + curve.cell_height / 2);
+                ink.box({low.x, low.y, high.x, high.y}, 1);
                 continue;
             }
             if (reach > 0) ink.box({p.x - reach, p.y - reach, p.x + reach, p.y + reach}, 5);

@@ -57,7 +57,7 @@ constexpr std::array cell_colours{"#cfe6f5", "#fbe3a9", "#f2b8a6"};
 Look cells_of(const Curve& curve) {
     std::ostringstream size;
     size << ":(" << curve.cell_width / 2 << "):(" << curve.cell_height / 2 << ")";
-    const std::string colour = cycled(cell_colours, static_cast<std::size_t>(std::max(0, curve.family)));
+    const std::string colour = curve.colour.empty() ? cycled(cell_colours, static_cast<std::size_t>(std::max(0, curve.family))) : curve.colour;
     return {{size.str() + " with boxxyerror lc rgb '" + colour + "' fillstyle solid"}, "with boxes lc rgb '" + colour + "' fillstyle solid", 0};
 }
 

@@ -131,6 +131,7 @@ Chart cost_chart(const Study& study, const StudyChart& wish, const std::vector<S
 }    // namespace
 
 Chart study_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results) {
+    if (wish.type == StudyChart::Type::map) return map_chart(study, wish, results);
     return wish.type == StudyChart::Type::cost ? cost_chart(study, wish, results) : value_chart(study, wish, results);
 }
 

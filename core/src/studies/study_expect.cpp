@@ -92,18 +92,45 @@ void check_curves(const Study& study, const StudyChart& chart, const Section& se
     if (std::ranges::none_of(study.points, drawn))
         section.fail("x", "no point has a number at " + chart.x, "Name a dimension with numbers or a pointer to one");
     for (const StudyDimension& dimension : study.vary) {
-        if (is_pointer(chart.x) || chart.group.empty() || chart.group == "family") continue;
+        if (is_pointer(chart.x) || chart.group.empty() || chart.group == "family" || dimension.name == study.worst_over) continue;
         if (dimension.name != chart.x && dimension.name != chart.group && dimension.values.size() > 1)
             section.fail("series", "a curve would mix the values of \"" + dimension.name + "\"",
                          "Leave out series to have a curve for each");
     }
 }
 
+/// Two dimensions with numbers, and no others with several values.
+void read_map(const Study& study, StudyChart& chart, Section& section) {
+    const auto read = [&](const std::string& key) {
+        const std::string name = need_text(section, key, "Name the dimension with numbers to be drawn along " + key);
+        const auto dimension = std::ranges::find(study.vary, name, &StudyDimension::name);
+        const auto number = [](const StudyValue& value) { return value.label.is_number(); };
+        if (dimension == study.vary.end() || dimension->values.size() < 2 || !std::ranges::all_of(dimension->values, number))
+            section.fail(key, "\"" + name + "\" is no dimension with two numbers or more", "Name a dimension whose values are numbers");
+        return name;
+    };
+    chart.x = read("x"), chart.y = read("y");
+    if (chart.x == chart.y) section.fail("y", "\"" + chart.y + "\" stands along x already", "Name another dimension");
+    for (const StudyDimension& dimension : study.vary)
+        if (dimension.name != chart.x && dimension.name != chart.y && dimension.name != study.worst_over && dimension.values.size() > 1)
+            section.fail("type", "a map would mix the values of \"" + dimension.name + "\"", "Vary two dimensions in a study with a map");
+    chart.measure = read_measure(section, "measure", study.measure);
+    chart.x_label = section.text("x_label", chart.x);
+    chart.y_label = section.text("y_label", chart.y);
+    chart.x_log = read_flag(section, "x_log");
+    chart.y_log = read_flag(section, "y_log");
+    section.finish();
+}
+
+StudyChart::Type read_type(Section& section) {
+    section.need("type", "Give \"value\", \"cost\" or \"map\"");
+    const std::string type = section.choice("type", "", {"value", "cost", "map"});
+    return type == "cost" ? StudyChart::Type::cost : type == "map" ? StudyChart::Type::map : StudyChart::Type::value;
+}
+
 StudyChart read_chart(const Study& study, Section section) {
     StudyChart chart{};
-    section.need("type", "Give \"value\" or \"cost\"");
-    chart.type =
-        section.choice("type", "", {"value", "cost"}) == "cost" ? StudyChart::Type::cost : StudyChart::Type::value;
+    chart.type = read_type(section);
     const bool cost = chart.type == StudyChart::Type::cost;
     chart.name = need_text(section, "name", "Name the files of the chart");
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; };
@@ -112,6 +139,11 @@ StudyChart read_chart(const Study& study, Section section) {
     for (const StudyChart& other : study.charts)
         if (other.name == chart.name)
             section.fail("name", "there are two charts \"" + chart.name + "\"", "Name each differently");
+    chart.title = section.text("title", study.title);
+    if (chart.type == StudyChart::Type::map) {
+        read_map(study, chart, section);
+        return chart;
+    }
     if (!cost)
         check_place(study, section, "x",
                     chart.x = need_text(section, "x", "Name the dimension or the pointer to be drawn along x"));
@@ -120,7 +152,6 @@ StudyChart read_chart(const Study& study, Section section) {
     chart.group = section.text(group, cost ? "family" : "");
     if (cost && chart.group.empty()) section.fail(group, "the text is empty", "Leave it out to group by family");
     if (!chart.group.empty()) check_place(study, section, group, chart.group);
-    chart.title = section.text("title", study.title);
     chart.x_label = section.text("x_label", cost ? measure("cpu_s").label : chart.x.substr(chart.x.rfind('/') + 1));
     chart.y_label = section.text("y_label", measure(chart.y).label);
     if (cost) {

@@ -31,7 +31,7 @@ std::string digest(const std::string& text) {
 
 bool needs_reference(const Study& study) {
     const auto of_reference = [](const std::string& name) { return measure(name).of_reference; };
-    const auto draws_one = [&](const StudyChart& chart) { return of_reference(chart.y); };
+    const auto draws_one = [&](const StudyChart& chart) { return of_reference(chart.type == StudyChart::Type::map ? chart.measure : chart.y); };
     return of_reference(study.measure) || std::ranges::any_of(study.also, of_reference) || std::ranges::any_of(study.charts, draws_one);
 }
 
@@ -110,9 +110,13 @@ void write_tables(const Study& study, const std::vector<StudyResult>& results, c
     for (std::size_t i = 0; i < results.size(); ++i)
         lines += to_json(study, study.points[i], results[i]).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     bool drawn = true;
-    for (const StudyChart& wish : study.charts) drawn &= draw(study_chart(study, wish, results), folder / wish.name);
+    const StudyView worst = worst_view(study, results);
+    for (const StudyChart& wish : study.charts) {
+        const bool each = study.worst_over.empty() || wish.x == study.worst_over || wish.group == study.worst_over;
+        drawn &= draw(each ? study_chart(study, wish, results) : study_chart(worst.study, wish, worst.results), folder / wish.name);
+    }
     write_whole(folder / "table.csv", study_csv(study, results));
-    write_whole(folder / "table.md", study_markdown(study, results));
+    write_whole(folder / "table.md", study_markdown(worst.study, worst.results));
     write_whole(folder / "points.jsonl", lines);
     if (!drawn) log::warn(folder.string() + ": gnuplot is not installed, so the charts are left as scripts (.gp)");
 }

@@ -45,6 +45,8 @@ void make_points(Study& study);
 /// "STUDY: point 3 of 20 (NAME)", for messages.
 std::string point_place(const Study& study, std::size_t index, std::size_t total, const std::string& name);
 
+/// Cells over two dimensions: the chart's measure, and beside it CPU time.
+Chart map_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results);
 Chart study_chart(const Study& study, const StudyChart& wish, const std::vector<StudyResult>& results);
 
 }    // namespace sphonic

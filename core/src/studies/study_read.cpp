@@ -126,6 +126,7 @@ Study load_study(const fs::path& file, const std::vector<std::string>& overrides
     const Json& vary = need_list(root, "vary", "Give [ { \"name\": ..., \"pointer\": ..., \"values\": [...] } ]");
     for (std::size_t i = 0; i < vary.size(); ++i)
         study.vary.push_back(read_dimension(study, {vary[i], root.file(), "/vary/" + std::to_string(i)}));
+    read_worst_over(study, root);
     make_points(study);
     if (root.find("printed")) read_printed(study, root.child("printed", ""));
     if (root.find("charts")) read_charts(study, need_list(root, "charts", "Give a list of charts"));

@@ -24,6 +24,9 @@ double positive(const Section& section, const std::string& key, const Json& valu
 /// Of relative errors 1 % and 0.1 % unless given.
 void read_targets(Study& study, Section& section);
 
+/// The dimension whose worst point counts, if any.
+void read_worst_over(Study& study, Section& section);
+
 /// Gives the points the printed values whose rows name them.
 void read_printed(Study& study, Section section);
 void read_charts(Study& study, const Json& list);

@@ -15,8 +15,10 @@ using Row = std::vector<std::string>;
 std::vector<std::string> shown_measures(const Study& study) {
     std::vector<std::string> names{study.measure};
     names.insert(names.end(), study.also.begin(), study.also.end());
-    for (const StudyChart& chart : study.charts)
-        if (!std::ranges::count(names, chart.y)) names.push_back(chart.y);
+    for (const StudyChart& chart : study.charts) {
+        const std::string& drawn = chart.type == StudyChart::Type::map ? chart.measure : chart.y;
+        if (!std::ranges::count(names, drawn)) names.push_back(drawn);
+    }
     for (const char* given : {"cpu_s", "steps", "ns_per_particle_step"}) std::erase(names, given);
     return names;
 }
@@ -85,6 +87,7 @@ std::string timing_note(const Study& study, const std::vector<StudyResult>& resu
 std::string study_markdown(const Study& study, const std::vector<StudyResult>& results) {
     std::string text = "# " + study.title + "\n\n";
     if (!study.description.empty()) text += study.description + "\n\n";
+    if (!study.worst_over.empty()) text += "Each row is the worst over " + study.worst_over + "; times are means over it.\n\n";
     std::vector<Row> rows{heading(study)};
     for (std::size_t i = 0; i < results.size(); ++i) rows.push_back(line(study, study.points[i], results[i]));
     text += markdown_table(rows, study.vary.size() + has_family(study)) + "\n";
