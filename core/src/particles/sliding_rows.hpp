@@ -75,7 +75,6 @@ public:
         Window behind(stencil, f, offset - V * lanes), here(stencil, f, offset);
         for (long i = 0; i < n; i += V * lanes) {
             const Window ahead(stencil, f, offset + i + V * lanes);
-#pragma GCC unroll 2
             for (int v = 0; stencil.far && v < V; ++v) fetch_next(stencil, f, offset + i + v * lanes, out);
 #pragma GCC unroll 2
             for (int v = 0; v < V; ++v) {
