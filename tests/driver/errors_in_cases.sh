@@ -64,6 +64,11 @@ refused 2 'case.json: /initial/p: 3 does not fit this variable. Give an expressi
 refused 2 'case.json: /initial/q: unknown key "q". Known here: p, u' --set '/initial={"q":"0"}'
 
 echo "--- values"
+lattice=(--set '/particles/motion="frozen"' --set /precision=single)
+refused 2 'case.json: /precision: "half" is not one of double, single' --set /precision=half
+refused 2 'case.json: /precision: method fdtd works in double precision. Choose "double"' "${lattice[@]}" --set '/method={"type":"fdtd"}'
+refused 2 'case.json: /precision: single precision is of linear lattices, and these neighbours are not found by their place on a lattice. Choose "double"' "${lattice[@]}" --set /particles/jitter=0.1
+refused 2 'case.json: /precision: single precision is of linear lattices, and viscosity works in double precision. Choose "double"' "${lattice[@]}" --set '/viscosity={"type":"monaghan"}'
 refused 2 'case.json: /kernel/h: -1 is out of range. h [m] must be greater than 0' --set /kernel/h=-1
 refused 2 'case.json: /kernel: h and h_over_dx are both given. Give one of h [m] and h_over_dx' --set /kernel/h_over_dx=1
 refused 2 'case.json: /kernel: the smoothing length is missing. Give one of h [m] and h_over_dx' --set '/kernel={"type":"cubic_spline"}'

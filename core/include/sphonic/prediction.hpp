@@ -28,6 +28,7 @@ std::vector<LayerReturn> layer_returns(const Case& scene);
 /// What a case will give, from theory alone.
 struct Prediction {
     std::optional<double> speed_error;    ///< of a long wave along the source's direction: c/c0 - 1, as the step goes to zero
+    std::optional<double> rounding;       ///< relative error of single precision alone
     std::optional<double> l2;             ///< phase and amplitude error of the sources' waves over c0 * until
     double cpu_s = 0;                     ///< from the tier's cost per pair on the reference machine
     double memory_bytes = 0;
@@ -35,6 +36,10 @@ struct Prediction {
     std::vector<std::string> warnings;
     std::string basis;                    ///< what l2 and cpu_s rest on
 };
+
+/// Relative error of fields of single precision after so many steps, in order of magnitude: each step rounds each value by up to half of
+/// 2^-23, as a walk at random does; weights so rounded add a phase of 2^-24 times that of the wave.
+double rounding_floor(long steps);
 
 /// `prepared` is the summary of a simulation that was made ready but not run.
 Prediction predict(const Case& scene, const Summary& prepared);

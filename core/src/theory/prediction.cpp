@@ -58,6 +58,8 @@ TravellingMode travelling_mode(const Case& scene, double k, const double* direct
     return {std::arg(best) / dt, -std::log(std::abs(best)) / dt};
 }
 
+double rounding_floor(long steps) { return std::ldexp(std::sqrt(double(steps)), -24); }
+
 Prediction predict(const Case& scene, const Summary& prepared) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
@@ -80,6 +82,11 @@ Prediction predict(const Case& scene, const Summary& prepared) {
             out.warnings.push_back("long waves run at the wrong speed by " + percent(*out.speed_error) +
                                    ": refining dx at fixed " + stalled_remedy(scene));
         predict_waves(scene, prepared, out);
+    }
+    if (scene.precision == Precision::single) {
+        out.rounding = rounding_floor(prepared.steps);
+        if (out.l2 && *out.l2 < 3 * *out.rounding)
+            out.warnings.push_back("single precision rounds by about " + shown(*out.rounding, 1) + ", the scheme's own error is no more than " + shown(*out.l2, 1) + ": choose precision \"double\"");
     }
     out.basis += &costs == &reference_costs() ? "cpu_s: costs of the reference machine, `sphonic calibrate` measures this one" : "cpu_s: calibrated costs of this machine";
     return out;
