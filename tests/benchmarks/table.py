@@ -17,8 +17,12 @@ TARGETS = {
     "moving_3d_monaghan": (4.5, "ns"),
     "moving_2d_both_sides_monaghan": (4.5, "ns"),
     "moving_3d_both_sides_monaghan": (4.5, "ns"),
+    "rebuilding_vortices_2d": (25, "% rebuilding"),
+    "rebuilding_vortices_3d": (25, "% rebuilding"),
+    "rebuilding_standing_wave_2d": (25, "% rebuilding"),
+    "rebuilding_standing_wave_3d": (25, "% rebuilding"),
 }
-BY_PAIR = ("frozen", "moving")
+BY_PAIR = ("frozen", "moving", "rebuilding")
 TRIADS = ("triad/3072", "triad/786432", "triad/25165824")
 
 
@@ -57,6 +61,9 @@ def target(name, ns, rows):
     limit, of = TARGETS[name]
     if of == "ns":
         return f"{ns / limit:.2f}", f"{limit} ns"
+    if of == "% rebuilding":
+        share, narrowing = 100 * rows[name]["rebuilding"], 100 * rows[name]["narrowing"]
+        return f"{share / limit:.2f}", f"{limit} % rebuilding ({share:.0f} %, and {narrowing:.0f} % narrowing lists down)"
     if of not in rows:
         return "", f"{limit} x {of}"
     return f"{ns / cost(of, rows[of])[0] / limit:.2f}", f"{limit} x {of}"
