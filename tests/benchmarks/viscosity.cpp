@@ -45,7 +45,7 @@ struct Line {
 
 void viscosity_by_plugin(benchmark::State& state) {
     Line line;
-    const auto op = make_lattice_operator(line.grid, line.components, line.term(), {line.velocity});
+    const auto op = make_lattice_term<double>(line.grid, line.components, line.term(), {line.velocity});
     for (auto _ : state) {
         op->apply({line.state.data(), line.out.data(), 1, true});
         benchmark::ClobberMemory();

@@ -26,7 +26,7 @@ std::optional<Judgement> by_theory(const Case& scene, const Summary& prepared, d
     const double precision = target / 30;
     const auto late = field_error(scene, prepared.dt, prepared.steps, why, precision);
     if (!late) {
-        const Prediction p = predict(scene, prepared);
+        const Prediction p = predict(scene, prepared, Trials::none);
         if (!p.l2) return {};
         return Judgement{*p.l2, cpu_s, p.basis.substr(0, p.basis.find(';'))};
     }
