@@ -25,7 +25,7 @@ Json check_json(const Summary& s, const Prediction& p) {
     return {{"title", s.title}, {"particles", s.particles}, {"tier", s.tier}, {"neighbours_mean", s.neighbours_mean},
             {"steps", s.steps}, {"dt", s.dt}, {"dt_limit", s.dt_limit}, {"weakly_unstable", s.weak},
             {"dt_mild", s.dt_mild}, {"growth_exponent", s.growth}, {"growth_rate", s.growth_rate},
-            {"predicted", {{"l2", optional_json(p.l2)}, {"rounding", optional_json(p.rounding)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
+            {"predicted", {{"l2", optional_json(p.l2)}, {"estimated", p.estimated}, {"rounding", optional_json(p.rounding)}, {"speed_error", optional_json(p.speed_error)}, {"cpu_s", p.cpu_s},
                            {"memory_bytes", p.memory_bytes}, {"basis", p.basis}, {"layers", layers}}},
             {"warnings", warnings}};
 }
@@ -37,7 +37,7 @@ int check(const RunOptions& options) {
     const Case scene = load_planned(options.file, options.set, registry);
     const Simulation simulation(scene);
     const Summary& s = simulation.summary();
-    Prediction p = predict(scene, s);
+    Prediction p = predict(scene, s, Trials::allowed);
     for (const std::string& warning : source_warnings(scene, s.dt)) p.warnings.push_back(warning);
     if (options.json) {
         std::cout << json_text(check_json(s, p));
@@ -50,7 +50,7 @@ int check(const RunOptions& options) {
     if (s.weak && s.dt_limit > 0)
         std::printf("  the worst mode grows by e^%.3g in this run; by e at the step %.4g s (c0 dt/dx = %.4g)\n", s.growth, s.dt_mild, s.dt_mild * courant);
     if (p.speed_error) std::printf("  predicted speed of long waves: %+.3g %%\n", 100 * *p.speed_error);
-    if (p.l2) std::printf("  predicted L2 error: %.3g\n", *p.l2);
+    if (p.l2) std::printf("  %s L2 error: %.3g\n", p.estimated ? "estimated" : "predicted", *p.l2);
     if (p.rounding) std::printf("  rounding of single precision: about %.1g\n", *p.rounding);
     for (const LayerReturn& layer : p.layers)
         std::printf("  the layer at %s returns %.1f dB at right angles, %.1f dB at %g degrees (at %.3g rad/s)\n", layer.face.c_str(), layer.normal, layer.oblique,

@@ -25,11 +25,12 @@ double layer_return(const abi::Boundary& layer, const abi::Medium& medium, doubl
 /// Those of all faces, in the first medium.
 std::vector<LayerReturn> layer_returns(const Case& scene);
 
-/// What a case will give, from theory alone.
+/// What a case will give, from theory, and where that does not reach by trial.
 struct Prediction {
     std::optional<double> speed_error;    ///< of a long wave along the source's direction: c/c0 - 1, as the step goes to zero
     std::optional<double> rounding;       ///< relative error of single precision alone
     std::optional<double> l2;             ///< phase and amplitude error of the sources' waves over c0 * until
+    bool estimated = false;               ///< l2 is from runs at coarser spacings: good to a factor of some two
     double cpu_s = 0;                     ///< from the tier's cost per pair on the reference machine
     double memory_bytes = 0;
     std::vector<LayerReturn> layers;      ///< at the lowest tone of the sources, else where the layer is a wavelength thick
@@ -41,8 +42,11 @@ struct Prediction {
 /// 2^-23, as a walk at random does; weights so rounded add a phase of 2^-24 times that of the wave.
 double rounding_floor(long steps);
 
+/// Whether the same case may be run at coarser spacings, a second at most each, for what theory does not know.
+enum class Trials { none, allowed };
+
 /// `prepared` is the summary of a simulation that was made ready but not run.
-Prediction predict(const Case& scene, const Summary& prepared);
+Prediction predict(const Case& scene, const Summary& prepared, Trials trials = Trials::none);
 
 /// What of the sources' highest frequencies travels 2 % slower or faster than long waves, or not at all at step dt, in the medium where it is
 /// worst: points per wavelength, and what to do. Imposed fields whose frequency is not known are listened to.

@@ -6,6 +6,7 @@
 #include <sphonic/shown.hpp>
 
 #include "cost.hpp"
+#include "estimates.hpp"
 #include "field_error.hpp"
 #include "front_error.hpp"
 #include "linear_algebra.hpp"
@@ -43,6 +44,16 @@ void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) 
     out.basis = "l2: speed and decay of every frequency that the sources' fronts consist of, viscosity at half strength, without what walls return; ";
 }
 
+/// Adds what comes back from faces that theory takes for open.
+void add_returned(const Case& scene, Prediction& out) {
+    const std::string open = ", without what comes back";
+    const std::size_t at = out.basis.find(open);
+    if (at == std::string::npos) return;
+    const Estimate returned = returned_by_faces(scene);
+    if (returned.l2) out.l2 = std::hypot(*out.l2, *returned.l2);
+    out.basis = out.basis.substr(0, at) + returned.basis + "; ";
+}
+
 }    // namespace
 
 TravellingMode travelling_mode(const Case& scene, double k, const double* direction, double dt, Damping damping, int medium) {
@@ -60,18 +71,29 @@ TravellingMode travelling_mode(const Case& scene, double k, const double* direct
 
 double rounding_floor(long steps) { return std::ldexp(std::sqrt(double(steps)), -24); }
 
-Prediction predict(const Case& scene, const Summary& prepared) {
+namespace {
+
+void add_rounding(const Summary& prepared, Prediction& out) {
+    out.rounding = rounding_floor(prepared.steps);
+    if (out.l2 && *out.l2 < 3 * *out.rounding)
+        out.warnings.push_back("single precision rounds by about " + shown(*out.rounding, 1) + ", the scheme's own error is no more than " + shown(*out.l2, 1) + ": choose precision \"double\"");
+}
+
+}    // namespace
+
+Prediction predict(const Case& scene, const Summary& prepared, Trials trials) {
     Prediction out;
     out.memory_bytes = prepared.memory_bytes;
     out.layers = layer_returns(scene);
     const CostModel& costs = present_costs();
     out.cpu_s = predicted_seconds(costs, scene, prepared, is_viscous(scene));
-    if (!scene.arrangement->regular()) out.basis = "speed and l2: known for lattices only; ";
-    if (scene.media->several()) out.basis = "speed and l2: known for one medium only; ";
+    if (!scene.arrangement->regular()) out.basis = "speed: known for lattices only; ";
+    if (scene.media->several()) out.basis = "speed: known for one medium only; ";
     std::string why;
     if (const auto error = field_error(scene, prepared.dt, prepared.steps, why)) {
         out.l2 = error->l2();
         out.basis = error->basis + "; ";
+        if (trials == Trials::allowed) add_returned(scene, out);
     }
     if (!scene.method->meshfree() && scene.regular() && !scene.media->several()) predict_waves(scene, prepared, out);
     if (scene.method->meshfree() && scene.arrangement->regular() && !scene.media->several()) {
@@ -83,11 +105,13 @@ Prediction predict(const Case& scene, const Summary& prepared) {
                                    ": refining dx at fixed " + stalled_remedy(scene));
         predict_waves(scene, prepared, out);
     }
-    if (scene.precision == Precision::single) {
-        out.rounding = rounding_floor(prepared.steps);
-        if (out.l2 && *out.l2 < 3 * *out.rounding)
-            out.warnings.push_back("single precision rounds by about " + shown(*out.rounding, 1) + ", the scheme's own error is no more than " + shown(*out.l2, 1) + ": choose precision \"double\"");
+    if (!out.l2 && trials == Trials::allowed) {
+        const Estimate estimate = estimated_error(scene);
+        out.l2 = estimate.l2;
+        out.estimated = out.l2.has_value();
+        out.basis += estimate.basis + "; ";
     }
+    if (scene.precision == Precision::single) add_rounding(prepared, out);
     out.basis += &costs == &reference_costs() ? "cpu_s: costs of the reference machine, `sphonic calibrate` measures this one" : "cpu_s: calibrated costs of this machine";
     return out;
 }
