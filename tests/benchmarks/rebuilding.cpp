@@ -76,7 +76,7 @@ void rebuilding_standing_wave_3d(benchmark::State& state) { rebuilding(state, to
 
 }    // namespace
 
-BENCHMARK(rebuilding_vortices_2d);
-BENCHMARK(rebuilding_vortices_3d);
-BENCHMARK(rebuilding_standing_wave_2d);
-BENCHMARK(rebuilding_standing_wave_3d);
+BENCHMARK(rebuilding_vortices_2d)->Iterations(20);
+BENCHMARK(rebuilding_vortices_3d)->Iterations(20);
+BENCHMARK(rebuilding_standing_wave_2d)->Iterations(20);
+BENCHMARK(rebuilding_standing_wave_3d)->Iterations(20);

@@ -56,9 +56,10 @@ def roofline(row, rows):
 
 def target(name, ns, rows):
     """Measured in the target's own terms, and the target."""
-    if name not in TARGETS:
+    plain = name.split("/iterations")[0]
+    if plain not in TARGETS:
         return "", ""
-    limit, of = TARGETS[name]
+    limit, of = TARGETS[plain]
     if of == "ns":
         return f"{ns / limit:.2f}", f"{limit} ns"
     if of == "% rebuilding":
