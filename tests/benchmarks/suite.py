@@ -1,9 +1,11 @@
-"""suite.py [DRIVER [FOLDER]]: what the planner's choice costs beside the best of an exhaustive study, for every scene of cases/suite.
+"""suite.py [--driver FILE] [--out FOLDER] [SCENE ...]: what the planner's choice costs beside the best of an exhaustive study, for every scene of cases/suite.
 
-Runs the studies of cases/suite/studies into FOLDER (default runs/suite; finished ones are kept), plans each scene to 1 % and 0.1 %, runs
-the planned case in turn with the study's best one, and prints a Markdown table of medians. Ends with 1 where a target is missed or the
-ratio of the CPU times is over 1.5.
+Runs the studies of cases/suite/studies into FOLDER (default runs/suite; finished points are kept), plans each scene to 1 % and 0.1 %, runs
+the planned case in turn with the study's best one, and prints a Markdown table of medians. Ends with 1 where there is no plan, a target is missed or
+the ratio of the CPU times is over 1.5. A study sees one moment of a scene: where a wave is late by whole periods its best may be luck,
+which the planner, who looks at a second moment too, does not chase.
 """
+import argparse
 import json
 import pathlib
 import statistics
@@ -25,12 +27,10 @@ def call(driver, *words, limit=None):
 
 def points_of(driver, scene, folder):
     """The points of the scene's exhaustive study."""
-    lines = folder / scene / "points.jsonl"
-    if not lines.exists():
-        code, _, why = call(driver, "study", f"cases/suite/studies/{scene}.json", "--out", folder / scene)
-        if code:
-            sys.exit(f"{scene}: {why}")
-    return [json.loads(line) for line in lines.read_text().splitlines()]
+    code, _, why = call(driver, "study", f"cases/suite/studies/{scene}.json", "--out", folder / scene)
+    if code:
+        sys.exit(f"{scene}: {why}")
+    return [json.loads(line) for line in (folder / scene / "points.jsonl").read_text().splitlines()]
 
 
 def set_at(document, pointer, value):
@@ -47,7 +47,11 @@ def case_of(point):
     """The whole case of a study's point."""
     document = json.loads((ROOT / point["case"]).read_text())
     for pointer in point["remove"]:
-        document.pop(pointer[1:], None)
+        *path, last = pointer.split("/")[1:]
+        holder = document
+        for part in path:
+            holder = holder[int(part)] if isinstance(holder, list) else holder.get(part, {})
+        holder.pop(last, None)
     for pointer, value in point["set"].items():
         set_at(document, pointer, value)
     return document
@@ -79,7 +83,7 @@ def row_of(driver, scene, target, points, folder):
     except subprocess.TimeoutExpired:
         code, why = 1, "no plan within ten minutes"
     if code:
-        return [scene, f"{100 * target:g} %", "", "", name, f'{best["cpu_s"]:.3g}' if best else "", f"no plan: {why.split('target: ')[-1]}"], best is None
+        return [scene, f"{100 * target:g} %", "", "", name, f'{best["cpu_s"]:.3g}' if best else "", f"no plan: {why.split('target: ')[-1]}"], False
     if best:
         chosen.write_text(json.dumps(case_of(best)))
     (error, cost), *others = compared(driver, [planned, chosen] if best else [planned], folder)
@@ -89,13 +93,17 @@ def row_of(driver, scene, target, points, folder):
 
 
 def main():
-    driver = str(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/bin/sphonic").resolve())
-    folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "runs/suite").resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--driver", type=pathlib.Path, default=ROOT / "build/release/bin/sphonic")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "runs/suite", metavar="FOLDER")
+    parser.add_argument("scenes", nargs="*", default=SCENES, metavar="SCENE")
+    given = parser.parse_args()
+    driver, folder = str(given.driver.resolve()), given.out.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     print("| scene | target | L2 of the plan | CPU of the plan [s] | cheapest of the study | its CPU [s] | ratio |")
     print("|---|---|---:|---:|---|---:|---:|")
     kept = True
-    for scene in SCENES:
+    for scene in given.scenes:
         points = points_of(driver, scene, folder)
         for target in TARGETS:
             row, good = row_of(driver, scene, target, points, folder)
