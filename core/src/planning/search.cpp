@@ -21,6 +21,7 @@ constexpr int most_refusals = 4;          ///< in a row, before a choice is give
 struct Walk {
     Choice choice;
     double last_dx = 0, last_cpu_s = 0, skip_above = std::numeric_limits<double>::infinity();
+    double in_any_order_to = 0;    ///< CPU time below which no spacing is passed over: between media places count for more than orders [s]
     int refused = 0;    ///< times in a row
     std::optional<Judgement> last;    ///< settled
 
@@ -33,7 +34,7 @@ struct Walk {
         double order = 2;
         if (last && judgement.ran) order = std::clamp(std::log(last->l2 / judgement.l2) / std::log(last_dx / dx), 0.8, 2.0);
         last_dx = dx, last_cpu_s = judgement.cpu_s;
-        if (!of_second_order() || judgement.l2 >= settled) return;
+        if (!of_second_order() || judgement.l2 >= settled || judgement.cpu_s < in_any_order_to) return;
         skip_above = (judgement.ran ? 1.05 : 1.15) * dx * std::pow(target / judgement.l2, 1 / order);
         last = judgement;
     }
@@ -49,7 +50,8 @@ struct Walk {
 Search search(const OpenCase& open, double target, double shortest, Judge& judge) {
     Search result;
     std::vector<Walk> left;
-    for (Choice& choice : choices(open)) left.push_back({std::move(choice)});
+    const bool several_media = open.document.contains("medium") && open.document["medium"].is_array() && open.document["medium"].size() > 1;
+    for (Choice& choice : choices(open)) left.push_back({.choice = std::move(choice), .in_any_order_to = several_media ? judge.budget_s() / 1000 : 0, .last = {}});
     double best = std::numeric_limits<double>::infinity();
     const double begin = cpu_seconds(), patience = judge.budget_s() / 4;
     for (const double dx : spacings(open, shortest / 2.2, most_particles)) {
