@@ -1,11 +1,10 @@
 #include "lattice_mends.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 #include <sphonic/error.hpp>
-
-#include "parallel.hpp"
 
 namespace sphonic {
 namespace {
@@ -24,6 +23,7 @@ MendedRows::MendedRows(const LatticeGrid& grid, const Term& term, const std::vec
         for (const abi::Medium& j : grid.media.list()) between_.push_back(rest_coefficients(*term.form, derivative(term), i, j));
     if (grid.media.several() && !term.form->uniform()) find_media();
     add_rows();
+    index_rows();
     corrections_.clear();
     medium_ = {};
 }
@@ -158,24 +158,29 @@ void MendedRows::add_row(const Site& site, bool end) {
     rows_.push_back(row);
 }
 
-template <class Real>
-void MendedRows::mend(const Real* const* f, Real* const* out, double scale) const {
-    const int d = grid_.layout.dimension;
-    const bool gradient = term_.op == Term::Operator::gradient;
-    const auto place = [this](long r) { return rows_[std::size_t(r)].at; };
-    grid_.tiles.for_entries(grid_.threads, long(rows_.size()), place, [&](long begin, long end) {
-        for (long r = begin; r < end; ++r) {
-            const Row& row = rows_[std::size_t(r)];
-            double sum[3] = {0, 0, 0};
-            for (int a = 0; a < d; ++a) sum[a] = row.own[a] * f[gradient ? 0 : a][row.at];
-            for (const Entry* entry = entries_.data() + row.begin; entry != entries_.data() + row.end; ++entry)
-                for (int a = 0; a < d; ++a) sum[a] += entry->weight[a] * f[gradient ? 0 : a][entry->at];
-            for (int a = 0; a < d; ++a) out[gradient ? a : 0][row.at] += Real(scale * sum[a]);
-        }
-    });
+void MendedRows::index_rows() {
+    first_.assign(layout_row(grid_.layout.size) + 2, 0);
+    for (const Row& row : rows_) ++first_[layout_row(row.at) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
-template void MendedRows::mend<double>(const double* const*, double* const*, double) const;
-template void MendedRows::mend<float>(const float* const*, float* const*, double) const;
+template <class Real>
+void MendedRows::mend(std::ptrdiff_t offset, long n, const Real* const* f, Real* const* out, double scale) const {
+    const std::size_t here = layout_row(offset);
+    const Row *first = rows_.data() + first_[here], *last = rows_.data() + first_[here + 1];
+    if (first == last) return;
+    const int d = grid_.layout.dimension;
+    const bool gradient = term_.op == Term::Operator::gradient;
+    for (const Row* row = std::lower_bound(first, last, offset, [](const Row& r, std::ptrdiff_t at) { return r.at < at; }); row != last && row->at < offset + n; ++row) {
+        double sum[3] = {0, 0, 0};
+        for (int a = 0; a < d; ++a) sum[a] = row->own[a] * f[gradient ? 0 : a][row->at];
+        for (const Entry* entry = entries_.data() + row->begin; entry != entries_.data() + row->end; ++entry)
+            for (int a = 0; a < d; ++a) sum[a] += entry->weight[a] * f[gradient ? 0 : a][entry->at];
+        for (int a = 0; a < d; ++a) out[gradient ? a : 0][row->at] += Real(scale * sum[a]);
+    }
+}
+
+template void MendedRows::mend<double>(std::ptrdiff_t, long, const double* const*, double* const*, double) const;
+template void MendedRows::mend<float>(std::ptrdiff_t, long, const float* const*, float* const*, double) const;
 
 }    // namespace sphonic

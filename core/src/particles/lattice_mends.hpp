@@ -14,9 +14,9 @@ public:
     /// `stencils` are the interior's weights by medium.
     MendedRows(const LatticeGrid& grid, const Term& term, const std::vector<std::vector<Offset>>& stencils);
 
-    /// Adds what is missing. `f` are the operand's components, `out` the targets.
+    /// Adds what is missing to n particles of a row from `offset` on. `f` are the operand's components, `out` the targets.
     template <class Real>
-    void mend(const Real* const* f, Real* const* out, double scale) const;
+    void mend(std::ptrdiff_t offset, long n, const Real* const* f, Real* const* out, double scale) const;
 
 private:
     using Vector = std::array<double, 3>;
@@ -37,6 +37,7 @@ private:
     std::vector<std::uint8_t> medium_;                    ///< of sites and ghosts, where the form tells media apart
     std::vector<RestCoefficients> between_;               ///< [own medium][other's]
     std::vector<Row> rows_;
+    std::vector<std::size_t> first_;                      ///< of them, by row of the layout, ghosts among them
     std::vector<Entry> entries_;
     std::map<Site, Matrix> corrections_;
 
@@ -49,6 +50,8 @@ private:
     long image(int axis, long i) const;
     std::optional<Site> neighbour(const Site& site, const Offset& n) const;
     const Matrix& correction(const Site& site);
+    void index_rows();
+    std::size_t layout_row(std::ptrdiff_t at) const { return grid_.layout.dimension > 1 ? std::size_t(at / grid_.layout.stride[1]) : 0; }
     std::ptrdiff_t at(const Site& site) const { return grid_.layout.at(site[0], site[1], site[2]); }
     int medium(const Site& site) const { return medium_.empty() ? grid_.medium(site) : medium_[std::size_t(at(site))]; }
     const RestCoefficients& between(int i, int j) const { return between_[std::size_t(i * grid_.media.count() + j)]; }

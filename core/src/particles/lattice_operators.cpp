@@ -89,22 +89,27 @@ private:
         for (std::size_t a = 0; a < operand_.size(); ++a) f[a] = e.state[operand_[a]];
         grid_.for_blocks([&](int medium, long offset, long n) {
             const FoldedStencil<Real>& s = stencils_[std::size_t(medium)];
-            switch (D > 1 && columns_fit ? s.sliding.reach : 0) {
-                case 1: slide<D, 1>(s.sliding, f, offset, n, finish, out); break;
-                case 2: slide<D, 2>(s.sliding, f, offset, n, finish, out); break;
-                case 3: slide<D, 3>(s.sliding, f, offset, n, finish, out); break;
-                default: sweep_pairs<D>(s, f, offset, n, finish, out);
-            }
+            sweep_stretch<D>(s, f, offset, n, finish, out);
+            mended_.mend(offset, n, f, out, finish.scale);
         });
-        mended_.mend(f, out, finish.scale);
+    }
+
+    template <int D>
+    void sweep_stretch(const FoldedStencil<Real>& s, Fields f, long offset, long n, const Finish<Real>& finish, Real* const* out) const {
+        if constexpr (D > 1 && columns_fit) switch (s.sliding.reach) {
+            case 1: return slide<D, 1>(s.sliding, f, offset, n, finish, out);
+            case 2: return slide<D, 2>(s.sliding, f, offset, n, finish, out);
+            case 3: return slide<D, 3>(s.sliding, f, offset, n, finish, out);
+        }
+        sweep_pairs<D>(s, f, offset, n, finish, out);
     }
 
     template <int D, int R>
     void slide(const SlidingStencil<Real>& s, Fields f, long offset, long n, const Finish<Real>& finish, Real* const* out) const {
         if (target_.size() > 1)
-            SlidingRow<Real, R, std::max(1, D - 1), true>::apply(s, f, offset, n, finish, out);
+            SlidingRow<Real, D, R, true>::apply(s, f, offset, n, finish, out);
         else
-            SlidingRow<Real, R, 1, false>::apply(s, f, offset, n, finish, out);
+            SlidingRow<Real, D, R, false>::apply(s, f, offset, n, finish, out);
     }
 
     template <int D>

@@ -10,44 +10,77 @@
 
 namespace sphonic {
 
-/// True where there are registers for the columns of three vectors: 32 of 512 bits.
+/// True where there are registers for the columns of two vectors: 32 of 512 bits.
 #ifdef __AVX512F__
 inline constexpr bool columns_fit = true;
 #else
 inline constexpr bool columns_fit = false;
 #endif
 
-/// Columns A_1 ... A_R and E sets of columns B_0 ... B_R at V vectors of places.
-template <class Real, int R, int E, int V>
-struct Gathered {
+/// Columns A_1 ... A_R and sets of columns B_0 ... B_R at one vector of places: of a gradient a set for each of d/dy and d/dz, of a
+/// divergence one for both.
+template <class Real, int D, int R, bool gradient>
+struct Columns {
     using Lane = LaneOf<Real>;
-    static constexpr int lanes = lanes_of<Real>;
-    Lane odd[R][V] = {};
-    Lane even[E][R + 1][V] = {};
+    using Stencil = SlidingStencil<Real>;
+    using Rows = typename Stencil::Rows;
+    using Beside = typename Stencil::Beside;
+    static constexpr int sets = gradient ? D - 1 : 1;
+    Lane odd[R] = {};
+    Lane even[sets][R + 1] = {};
 
-    [[gnu::always_inline]] Gathered(const SlidingStencil<Real>& stencil, const Real* const* f, std::ptrdiff_t i) {
-        add<true, true>(stencil.both, f, i);
-        add<true, false>(stencil.sums, f, i);
-        add<false, true>(stencil.differences, f, i);
+    [[gnu::always_inline]] Columns(const Stencil& stencil, const Real* const* f, std::ptrdiff_t i) {
+        add(stencil, f, i, std::make_integer_sequence<int, R + 1>());
     }
 
 private:
-    /// Rows that are summed, subtracted, or both: of a divergence those of u_x, those of the others; of a gradient all.
-    template <bool sums, bool differences>
-    [[gnu::always_inline]] void add(const std::vector<typename SlidingStencil<Real>::Row>& rows, const Real* const* f, std::ptrdiff_t i) {
-        for (const auto& row : rows) {
-            const Real *ahead = f[row.component] + i + row.at, *behind = f[row.component] + i - row.at;
-#pragma GCC unroll 2
-            for (int v = 0; v < V; ++v) {
-                const Lane a = load(ahead + v * lanes), b = load(behind + v * lanes), sum = a + b, difference = a - b;
-#pragma GCC unroll 4
-                for (int s = 0; sums && s < R; ++s) odd[s][v] += row.odd[s] * sum;
-#pragma GCC unroll 2
-                for (int e = 0; differences && e < E; ++e)
-#pragma GCC unroll 5
-                    for (int s = 0; s <= R; ++s) even[e][s][v] += row.even[e][s] * difference;
-            }
+    template <int... S>
+    [[gnu::always_inline]] void add(const Stencil& stencil, const Real* const* f, std::ptrdiff_t i, std::integer_sequence<int, S...>) {
+        (add_reaching<S>(stencil, f, i), ...);
+    }
+
+    /// Rows that reach S particles along x.
+    template <int S>
+    [[gnu::always_inline]] void add_reaching(const Stencil& stencil, const Real* const* f, std::ptrdiff_t i) {
+        const Real *u = f[0] + i, *v = gradient ? u : f[1] + i, *w = gradient || D < 3 ? u : f[2] + i;
+        for (const Rows& r : stencil.rows[int(Beside::none)][S]) add_odd<S>(r, load(u));
+        for (const Rows& r : stencil.rows[int(Beside::y)][S]) add_pair<S, 0>(r, u, v, r.y);
+        if constexpr (D == 3) {
+            for (const Rows& r : stencil.rows[int(Beside::z)][S]) add_pair<S, 1>(r, u, w, r.z);
+            for (const Rows& r : stencil.rows[int(Beside::both)][S]) add_four<S>(r, u, v, w);
         }
+    }
+
+    template <int S, int axis>
+    [[gnu::always_inline]] void add_pair(const Rows& r, const Real* u, const Real* along, std::ptrdiff_t at) {
+        const Lane a = load(u + at), b = load(u - at);
+        add_odd<S>(r, a + b);
+        add_even<S, axis>(r, gradient ? a - b : load(along + at) - load(along - at));
+    }
+
+    template <int S>
+    [[gnu::always_inline]] void add_four(const Rows& r, const Real* u, const Real* v, const Real* w) {
+        const std::ptrdiff_t y = r.y, z = r.z;
+        const Lane a = load(u + z + y), b = load(u + z - y), c = load(u - z + y), d = load(u - z - y), near = c + d, far = a + b;
+        add_odd<S>(r, far + near);
+        if constexpr (gradient) {
+            add_even<S, 0>(r, (a - b) + (c - d));
+            add_even<S, 1>(r, far - near);
+        } else {
+            add_even<S, 0>(r, (load(v + z + y) - load(v + z - y)) + (load(v - z + y) - load(v - z - y)));
+            add_even<S, 1>(r, (load(w + z + y) + load(w + z - y)) - (load(w - z + y) + load(w - z - y)));
+        }
+    }
+
+    template <int S>
+    [[gnu::always_inline]] void add_odd(const Rows& r, Lane sum) {
+#pragma GCC unroll 4
+        for (int s = 0; s < S; ++s) odd[s] += r.odd[s] * sum;
+    }
+    template <int S, int axis>
+    [[gnu::always_inline]] void add_even(const Rows& r, Lane difference) {
+#pragma GCC unroll 5
+        for (int s = 0; s <= S; ++s) even[gradient ? axis : 0][s] += r.even[axis][s] * difference;
     }
 };
 
@@ -61,66 +94,61 @@ inline LaneOf<float> shifted(LaneOf<float> a, LaneOf<float> b) {
     return __builtin_shufflevector(a, b, S, S + 1, S + 2, S + 3, S + 4, S + 5, S + 6, S + 7, S + 8, S + 9, S + 10, S + 11, S + 12, S + 13, S + 14, S + 15);
 }
 
-template <class Real, int R, int E, bool gradient>
+template <class Real, int D, int R, bool gradient>
 class SlidingRow {
 public:
     using Lane = LaneOf<Real>;
     static constexpr int lanes = lanes_of<Real>;
-    static constexpr int columns = R + E * (R + 1), outputs = gradient ? 1 + E : 1;
-    static constexpr int V = 5 * columns <= 25 ? 2 : 1;    ///< vectors at a time, so that all columns stay in registers
-    using Window = Gathered<Real, R, E, V>;
+    static constexpr int outputs = gradient ? D : 1;
+    using Window = Columns<Real, D, R, gradient>;
 
     /// From afar, what the next row is the first to read and to write is fetched meanwhile: no prefetcher follows so many rows.
     static void apply(const SlidingStencil<Real>& stencil, const Real* const* f, std::ptrdiff_t offset, long n, const Finish<Real>& finish, Real* const* out) {
-        Window behind(stencil, f, offset - V * lanes), here(stencil, f, offset);
-        for (long i = 0; i < n; i += V * lanes) {
-            const Window ahead(stencil, f, offset + i + V * lanes);
-            for (int v = 0; stencil.far && v < V; ++v) fetch_next(stencil, f, offset + i + v * lanes, out);
-#pragma GCC unroll 2
-            for (int v = 0; v < V; ++v) {
-                const Step step{behind, here, ahead, v};
-                Lane sum[outputs][1] = {};
-                sum[0][0] = step.odd(std::make_integer_sequence<int, R>());
-#pragma GCC unroll 2
-                for (int e = 0; e < E; ++e) sum[gradient ? 1 + e : 0][0] += step.even(e, std::make_integer_sequence<int, R>());
-                const long left = n - i - v * lanes;
-                if (left >= lanes)
-                    finish_block<Real, outputs, 1>(sum, finish, out, offset + i + v * lanes);
-                else if (left > 0)
-                    finish_part<Real, outputs>(sum, finish, out, offset + i + v * lanes, left);
-            }
-            behind = here;
+        Window here(stencil, f, offset);
+        Sums sum = begun(Window(stencil, f, offset - lanes), here, along());
+        for (long i = 0; i < n; i += lanes) {
+            const Window ahead(stencil, f, offset + i + lanes);
+            if (stencil.far) fetch_next(stencil, f, offset + i, out);
+            add_next(sum, here, ahead, along());
+            if (n - i >= lanes)
+                finish_block<Real, outputs, 1>(sum.of, finish, out, offset + i);
+            else
+                finish_part<Real, outputs>(sum.of, finish, out, offset + i, n - i);
+            sum = begun(here, ahead, along());
             here = ahead;
         }
     }
 
 private:
+    struct Sums {
+        Lane of[outputs][1];
+    };
+    static constexpr auto along() { return std::make_integer_sequence<int, R>(); }
+
     [[gnu::always_inline]] static void fetch_next(const SlidingStencil<Real>& stencil, const Real* const* f, std::ptrdiff_t i, Real* const* out) {
         for (int c = 0; c < stencil.components; ++c) __builtin_prefetch(f[c] + i + stencil.next);
 #pragma GCC unroll 3
         for (int o = 0; o < outputs; ++o) __builtin_prefetch(out[o] + i + stencil.next_own, 1);
     }
 
-    struct Step {
-        const Window &behind, &here, &ahead;
-        int v;
-
-        /// sum_s A_s(i + s) - A_s(i - s)
-        template <int... S>
-        [[gnu::always_inline]] Lane odd(std::integer_sequence<int, S...>) const {
-            return (about<S + 1>(behind.odd[S], here.odd[S], ahead.odd[S], -1) + ...);
-        }
-        /// B_0(i) + sum_s B_s(i + s) + B_s(i - s)
-        template <int... S>
-        [[gnu::always_inline]] Lane even(int e, std::integer_sequence<int, S...>) const {
-            return here.even[e][0][v] + (about<S + 1>(behind.even[e][S + 1], here.even[e][S + 1], ahead.even[e][S + 1], 1) + ...);
-        }
-        template <int S>
-        [[gnu::always_inline]] Lane about(const Lane* before, const Lane* at, const Lane* after, int sign) const {
-            const Lane next = shifted<S>(at[v], v + 1 < V ? at[v + 1] : after[0]), last = shifted<lanes - S>(v > 0 ? at[v - 1] : before[V - 1], at[v]);
-            return sign > 0 ? next + last : next - last;
-        }
-    };
+    /// What places get from themselves and from those behind them: B_0(i) + sum_s B_s(i - s) and -A_s(i - s).
+    template <int... S>
+    [[gnu::always_inline]] static Sums begun(const Window& behind, const Window& here, std::integer_sequence<int, S...>) {
+        Sums sum;
+#pragma GCC unroll 3
+        for (int o = 0; o < outputs; ++o) sum.of[o][0] = gradient && o == 0 ? Lane{} : here.even[gradient ? o - 1 : 0][0];
+        ((sum.of[0][0] -= shifted<lanes - 1 - S>(behind.odd[S], here.odd[S])), ...);
+#pragma GCC unroll 2
+        for (int e = 0; e < Window::sets; ++e) ((sum.of[gradient ? 1 + e : 0][0] += shifted<lanes - 1 - S>(behind.even[e][S + 1], here.even[e][S + 1])), ...);
+        return sum;
+    }
+    /// And from those ahead: sum_s B_s(i + s) and A_s(i + s).
+    template <int... S>
+    [[gnu::always_inline]] static void add_next(Sums& sum, const Window& here, const Window& ahead, std::integer_sequence<int, S...>) {
+        ((sum.of[0][0] += shifted<1 + S>(here.odd[S], ahead.odd[S])), ...);
+#pragma GCC unroll 2
+        for (int e = 0; e < Window::sets; ++e) ((sum.of[gradient ? 1 + e : 0][0] += shifted<1 + S>(here.even[e][S + 1], ahead.even[e][S + 1])), ...);
+    }
 };
 
 }    // namespace sphonic
