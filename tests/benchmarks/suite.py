@@ -2,8 +2,12 @@
 
 Runs the studies of cases/suite/studies into FOLDER (default runs/suite; finished points are kept), plans each scene to 1 % and 0.1 %, runs
 the planned case in turn with the study's best one, and prints a Markdown table of medians. Ends with 1 where there is no plan, a target is missed or
-the ratio of the CPU times is over 1.5. A study sees one moment of a scene: where a wave is late by whole periods its best may be luck,
-which the planner, who looks at a second moment too, does not chase.
+the ratio of the CPU times is over 1.5.
+
+A study sees one moment of a scene. There a wave that is late by whole periods looks right, and a standing wave at its height hardly shows that it
+is late. So the study's points that meet the target run in the order of their cost until 0.93 of the time as well, and the cheapest that
+meets the target at both, over the sound of the louder, is the best; the planned case is held to both, too, and its error is the larger one. Scenes without
+theory, which the planner judges by runs to their end, are compared there alone.
 """
 import argparse
 import json
@@ -17,6 +21,8 @@ SCENES = ["propagation_1d", "standing_wave_2d", "air_water", "circle_scattering_
 TARGETS = [0.01, 0.001]
 MOST = 1.5       # planned over best CPU time
 TURNS = 5
+OTHER_END = 0.93
+TWO_ENDS = ["propagation_1d", "standing_wave_2d", "pulse_3d_absorbed"]
 
 
 def call(driver, *words, limit=None):
@@ -58,24 +64,39 @@ def case_of(point):
 
 
 def run(driver, case, out):
-    """L2 error and CPU time of stepping."""
+    """The run's summary."""
     code, text, why = call(driver, "run", case, "--out", out, "--force", "--threads", 1, "--json")
     if code:
         sys.exit(f"{case}: {why}")
-    summary = json.loads(text)
-    return summary["errors"]["l2"], summary["cpu_s"]
+    return json.loads(text)
 
 
 def compared(driver, files, folder):
-    """The files' errors and median CPU times, run in turn."""
+    """The files' median CPU times, run in turn."""
     runs = [[run(driver, file, folder / "run") for file in files] for _ in range(TURNS)]
-    return [(turns[0][0], statistics.median(cpu for _, cpu in turns)) for turns in zip(*runs)]
+    return [statistics.median(one["cpu_s"] for one in turns) for turns in zip(*runs)]
+
+
+def worst(driver, document, target, folder, scene):
+    """The larger L2 error of a case's run and of one of fewer such steps, both over the louder moment's sound; of the first alone if it is over the target."""
+    file = folder / f"{scene}-moment.json"
+    document = {**document, "reference": {**document["reference"], "scale": 1}}
+    file.write_text(json.dumps(document))
+    summary = run(driver, file, folder / "run")
+    late, dt = summary["errors"], summary["dt"]
+    if not late["l2"] <= target or scene not in TWO_ENDS:
+        return late["l2"]
+    step = {"type": document["integrator"]["type"], "dt": dt}
+    file.write_text(json.dumps({**document, "integrator": step, "until": round(OTHER_END * summary["steps"]) * dt}))
+    early = run(driver, file, folder / "run")["errors"]
+    loud = max(one["rms"] / one["l2"] for one in (late, early))
+    return max(late["l2"], early["rms"] / loud)
 
 
 def row_of(driver, scene, target, points, folder):
     """One line of the table, and whether it keeps what was promised."""
-    met = [p for p in points if p["status"] == "done" and p["errors"]["l2"] <= target]
-    best = min(met, key=lambda p: p["cpu_s"], default=None)
+    met = sorted((p for p in points if p["status"] == "done" and p["errors"]["l2"] <= target), key=lambda p: p["cpu_s"])
+    best = next((p for p in met if worst(driver, case_of(p), target, folder, scene) <= target), None)
     planned, chosen = folder / f"{scene}-{target:g}-planned.json", folder / f"{scene}-{target:g}-best.json"
     name = f'{best["family"]}, {", ".join(map(str, best["labels"].values()))}' if best else "none meets it"
     try:
@@ -86,9 +107,10 @@ def row_of(driver, scene, target, points, folder):
         return [scene, f"{100 * target:g} %", "", "", name, f'{best["cpu_s"]:.3g}' if best else "", f"no plan: {why.split('target: ')[-1]}"], False
     if best:
         chosen.write_text(json.dumps(case_of(best)))
-    (error, cost), *others = compared(driver, [planned, chosen] if best else [planned], folder)
-    ratio = cost / others[0][1] if best else 0
-    return [scene, f"{100 * target:g} %", f"{error:.2e}", f"{cost:.3g}", name, f"{others[0][1]:.3g}" if best else "", f"{ratio:.2f}" if best else ""], \
+    error = worst(driver, json.loads(planned.read_text()), target, folder, scene)
+    cost, *others = compared(driver, [planned, chosen] if best else [planned], folder)
+    ratio = cost / others[0] if best else 0
+    return [scene, f"{100 * target:g} %", f"{error:.2e}", f"{cost:.3g}", name, f"{others[0]:.3g}" if best else "", f"{ratio:.2f}" if best else ""], \
         error <= target and ratio <= MOST
 
 

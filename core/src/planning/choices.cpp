@@ -54,8 +54,8 @@ void add_grids(const OpenCase& open, std::vector<Choice>& list) {
 void add_fitted(const OpenCase& open, std::vector<Choice>& list) {
     const std::vector<Json> steps{step("courant", 0.4), step("courant", 0.7), step("safety", 0.95)};
     const Json kernel = open.kernel ? Json{{"type", "cubic_spline"}, {"h_over_dx", 1}} : Json();
-    for (const double support : open.dimension() < 3 ? std::vector{3.0, 4.0} : std::vector{2.0, 3.0})    // in space a ball of 4 dx has more weights than the fit bears
-        for (const double finer : {0.9, 1.3})
+    for (const double support : open.dimension() < 3 ? std::vector{2.0, 3.0, 4.0} : std::vector{2.0, 3.0})    // in space a ball of 4 dx has more weights than the fit bears
+        for (const double finer : open.dimension() < 3 ? std::vector{0.9, 1.1, 1.3} : std::vector{0.9, 1.3})
             for (const Json& one : integrators(open, steps))
                 list.push_back({.family = "band_fitted", .method = open.method ? Json{{"type", "particles"}} : Json(), .equations = {}, .kernel = kernel, .integrator = one, .support = support, .finer = finer});
 }
@@ -73,6 +73,9 @@ void add_kernels(const OpenCase& open, std::vector<Choice>& list) {
                 list.push_back({.family = preset.empty() ? "the case's own equations" : preset, .method = open.method ? Json{{"type", "particles"}} : Json(),
                                 .equations = preset.empty() ? Json() : Json(preset), .kernel = kernel, .integrator = one});
 }
+
+/// Next to which spacing the next is tried: closer where theory judges, for runs cost more than a coarser spacing saves.
+double next_spacing(const OpenCase& open) { return displaced(open) || several_media(open) ? 1.1 : 1.05; }
 
 /// Terms with a form of its own parameters.
 Json fitted_equations(double points, double support) {
@@ -102,6 +105,7 @@ Json Choice::apply(const OpenCase& open, double dx, double shortest) const {
     if (!method.is_null()) document["method"] = method;
     const bool grid = !method.is_null() && method["type"] != "particles";
     if (!integrator.is_null()) document["integrator"] = integrator;
+    if (single) document["precision"] = "single";
     if (grid) {
         for (const char* key : {"kernel", "kernels", "equations", "viscosity", "dissipation"}) document.erase(key);
         return document;
@@ -120,7 +124,7 @@ std::string Choice::name() const {
     if (!kernel.is_null() && support == 0) text += ", " + kernel["type"].get<std::string>() + " h = " + shown(kernel["h_over_dx"].get<double>()) + " dx";
     for (const char* key : {"courant", "safety"})
         if (!integrator.is_null() && integrator.contains(key)) text += std::string(", ") + key + " " + shown(integrator[key].get<double>());
-    return text;
+    return single ? text + ", single precision" : text;
 }
 
 std::vector<Choice> choices(const OpenCase& open) {
@@ -151,7 +155,7 @@ std::vector<double> spacings(const OpenCase& open, double coarsest, double most_
         if (volume / std::pow(dx, open.dimension()) > most_particles) break;
         for (long more = 0; more < (several_media(open) ? 4 : 1); ++more)
             if (fitting(open, first, n + more) == n + more) list.push_back(open.length(first) / double(n + more));
-        wanted = 1.1 * double(n);
+        wanted = next_spacing(open) * double(n);
     }
     return list;
 }

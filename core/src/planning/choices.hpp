@@ -11,6 +11,7 @@ struct Choice {
     std::string family;    ///< "band_fitted", "fdtd 2", ...
     Json method, equations, kernel, integrator;
     double support = 0, finer = 1;    ///< of band_fitted: the neighbourhood [dx], and its shortest wave over the scene's
+    bool single = false;              ///< precision
 
     /// The case at a spacing [m], with nothing open; `shortest` is the scene's wavelength that must still be carried [m].
     Json apply(const OpenCase& open, double dx, double shortest) const;
@@ -21,7 +22,7 @@ bool several_media(const OpenCase& open);
 
 std::vector<Choice> choices(const OpenCase& open);
 
-/// Spacings [m] from coarse to fine, by a tenth each, at which both ends of every closed axis lie on particles; of several media each
+/// Spacings [m] from coarse to fine, by a tenth or a twentieth each, at which both ends of every closed axis lie on particles; of several media each
 /// with the next three. The case's own, if it decides.
 std::vector<double> spacings(const OpenCase& open, double coarsest, double most_particles);
 

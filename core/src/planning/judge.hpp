@@ -28,6 +28,9 @@ public:
     /// Error and CPU time of a run; nothing where the case has no reference, or the budget no room.
     std::optional<std::pair<double, double>> measured(const Json& document);
 
+    /// CPU time of stepping, the least of three runs [s]; infinite where the budget has no room.
+    double timed(const Json& document);
+
     /// What a run errs beyond theory, of a case that theory follows but for what its faces return; nothing for others.
     std::optional<double> beyond_theory(const Json& document);
     /// From now on theory's errors have this one beside them.

@@ -48,6 +48,7 @@ std::vector<Rung> ladder(const Json& given, const OpenCase& open, bool flat, con
     step("the planned method", [&] {
         for (const char* key : {"method", "equations", "kernel", "kernels", "dissipation"}) copy(now, to, key);
     });
+    step("the planned precision", [&] { copy(now, to, "precision"); });
     step(flat ? "the planned spacing, and no axis too many" : "the planned spacing", [&] { now = to; });
     return rungs;
 }

@@ -80,12 +80,14 @@ OpenCase opened(const Json& document, const std::string& file, bool free) {
     open.spacing = free || is_auto(d["particles"], "dx");
     open.viscosity = free && d.contains("viscosity");
     open.attenuation = free;
+    open.precision = free || d.value("precision", Json()) == "auto";
     if (open.equations) take_out(d, "equations");
     if (open.kernel) take_out(d, "kernel"), take_out(d, "kernels");
     if (open.method) take_out(d, "method");
     if (open.spacing) take_out(d["particles"], "dx");
     if (open.viscosity) take_out(d, "viscosity");
     if (free) take_out(d, "dissipation");
+    if (open.precision) take_out(d, "precision");
     open.motion = free && d["particles"].value("motion", Json("auto")) == "lagrangian";
     open.active = free && d.value("active", Json("auto")) == "all";
     if (open.active) take_out(d, "active");

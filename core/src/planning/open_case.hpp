@@ -14,6 +14,7 @@ struct OpenCase {
     bool method = false, equations = false, kernel = false, spacing = false, step = false, integrator = false, viscosity = false;
     bool motion = false, active = false;    ///< given otherwise than a plan has them
     bool attenuation = false;    ///< of absorbing layers
+    bool precision = false;
 
     bool anything() const { return method || equations || kernel || spacing || step; }
     int dimension() const { return document["dimension"]; }

@@ -63,6 +63,10 @@ void explain(const OpenCase& open, const Search& search, Plan& plan) {
         plan.decisions.push_back({"/particles/dx", best.dx, std::string("the coarsest of these at which the target is met") +
                                                                 (several_media(open) ? "; one for all media, so the slowest, with the shortest waves, decides" : ""), ""});
     decide(open.step, "/integrator", "its step: the error in time and in space offset each other, or the largest stable one");
+    if (open.precision)
+        plan.decisions.push_back({"/precision", best.choice.single ? "single" : "double",
+                                  best.choice.single ? "its rounding and the scheme's error together meet the target" : "single precision does not apply, costs no less, or rounds too much for the target",
+                                  savings(search, "/precision")});
     if (open.viscosity) plan.decisions.push_back({"/viscosity", nullptr, "the sound needs none: it damps what it should carry", ""});
 }
 
@@ -89,6 +93,7 @@ void explain_rest(const OpenCase& open, Plan& plan) {
 void settle(const OpenCase& open, const PlanRequest& request, double shortest, Judge& judge, Search& found, Plan& plan) {
     for (;;) {
         if (found.found.empty()) nothing_found(open, request, found);
+        time_cheapest(found, judge);
         const Found& best = found.found.front();
         if (const auto run = judge.measured(best.document)) {
             if (run->first > request.target && judge.trusts_theory()) {

@@ -27,4 +27,7 @@ struct Search {
 /// Goes through all choices, each from coarse spacings to fine until it meets `target`, costs far more than the best, or is outdone.
 Search search(const OpenCase& open, double target, double shortest, Judge& judge);
 
+/// Runs the cheapest few where a run is so short that its cost is foreseen badly, and puts first what takes clearly least.
+void time_cheapest(Search& search, Judge& judge);
+
 }    // namespace sphonic

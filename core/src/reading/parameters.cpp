@@ -150,7 +150,7 @@ std::span<const KeyRule> key_rules(const std::string& kind) {
 
 std::span<const std::string> planned_places() {
     static const std::vector<std::string> all{"/method", "/equations", "/kernel", "/integrator", "/integrator/type", "/integrator/dt", "/integrator/courant",
-                                              "/integrator/safety", "/particles/dx", "/boundaries/*/attenuation"};
+                                              "/integrator/safety", "/particles/dx", "/boundaries/*/attenuation", "/precision"};
     return all;
 }
 
