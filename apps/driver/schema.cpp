@@ -88,18 +88,22 @@ Json dimension_rule(const Plugins& plugins, int d) {
                                 {"output", members(object({{"probes", object({{"items", fits}})}}))}})));
 }
 
-/// Methods without particles need no kernel and no equations, and know no obstacles.
+/// Methods without particles need no kernel and no equations, and some know no obstacles.
 Json method_rule(const Plugins& plugins, Registry& registry) {
-    Json without = Json::array();
+    Json without = Json::array(), bodiless = Json::array();
     if (const auto found = plugins.find("method"); found != plugins.end())
-        for (const Plugin* plugin : found->second)
-            if (!with_defaults<abi::Method>(registry, *plugin)->meshfree()) without.push_back(plugin->name);
+        for (const Plugin* plugin : found->second) {
+            const auto method = with_defaults<abi::Method>(registry, *plugin);
+            if (!method->meshfree()) without.push_back(plugin->name);
+            if (!method->bodies()) bodiless.push_back(plugin->name);
+        }
     const Json some = object({{"properties", object({{"kernels", object({{"minProperties", 1}})}})}, {"required", Names{"kernels"}}});
     Json needs = requiring({"equations"});
     needs["properties"] = object({{"equations", requiring({"p", "u"})}});
     needs["anyOf"] = Json::array({requiring({"kernel"}), some});
     const Json open = object({{"properties", object({{"obstacles", object({{"maxItems", 0}})}})}});
-    return object({{"if", where("method", where("type", object({{"enum", without}})))}, {"then", open}, {"else", needs}});
+    const auto one_of = [](const Json& names) { return where("method", where("type", object({{"enum", names}}))); };
+    return object({{"if", one_of(without)}, {"then", object({{"if", one_of(bodiless)}, {"then", open}})}, {"else", needs}});
 }
 
 Json case_schema(const Plugins& plugins, Registry& registry) {

@@ -63,22 +63,28 @@ std::string ranked(const Study& study, const std::vector<StudyResult>& results) 
         const bool done = r.status == StudyResult::Status::done;
         std::vector<std::string> row{std::ranges::count(front, i) ? "front" : "", study.points[i].family, study.points[i].name, done ? number(error[i]) : status_name(r.status)};
         for (const std::string& name : study.also) row.push_back(number(measured(r, name)));
-        row.push_back(number(cost[i]) + (r.timing.doubt.empty() ? "" : " ?"));
+        row.push_back((std::isfinite(cost[i]) ? shown(cost[i], 3) : "") + (r.timing.doubt.empty() ? "" : " ?"));
         row.push_back(r.timing.runs > 1 ? shown(r.timing.low, 3) + " to " + shown(r.timing.high, 3) : "");
         for (const auto& prediction : {r.predicted_l2, r.predicted_cpu_s}) row.push_back(prediction ? shown(*prediction, 3) : "");
         row.insert(row.end(), {done ? std::to_string(r.summary.steps) : "", done ? std::to_string(r.summary.particles) : ""});
         rows.push_back(row);
     }
-    return "<h2>Ranked by error</h2>\n<p>front: no other point is both cheaper and more accurate.</p>\n" + html_table(rows);
+    return "<h2>Ranked by error</h2>\n<p>front: no other point is both cheaper and more accurate. ?: the time is in doubt.</p>\n<div class=\"ranked\">" + html_table(rows) + "</div>\n";
 }
 
+/// Points that failed, and, folded up where they are many, those whose time is in doubt.
 std::string notes(const Study& study, const std::vector<StudyResult>& results) {
-    std::string text;
+    constexpr long few = 10;
+    std::string failed, doubts;
     for (std::size_t i = 0; i < results.size(); ++i) {
-        if (!results[i].why.empty()) text += "<li>" + escaped(study.points[i].full_name() + " " + status_name(results[i].status) + ": " + results[i].why) + "</li>\n";
-        if (!results[i].timing.doubt.empty()) text += "<li>" + escaped(study.points[i].full_name() + ", time in doubt: " + results[i].timing.doubt) + "</li>\n";
+        if (!results[i].why.empty()) failed += "<li>" + escaped(study.points[i].full_name() + " " + status_name(results[i].status) + ": " + results[i].why) + "</li>\n";
+        if (!results[i].timing.doubt.empty()) doubts += "<li>" + escaped(study.points[i].full_name() + ", time in doubt: " + results[i].timing.doubt) + "</li>\n";
     }
-    return text.empty() ? "" : "<h2>Points to know about</h2>\n<ul>\n" + text + "</ul>\n";
+    const auto list = [](const std::string& items) { return items.empty() ? "" : "<ul>\n" + items + "</ul>\n"; };
+    const long many = std::ranges::count_if(results, [](const StudyResult& r) { return !r.timing.doubt.empty(); });
+    if (many > few) doubts = "<details><summary>Times in doubt: " + std::to_string(many) + " of " + std::to_string(results.size()) + " points</summary>\n" + list(doubts) + "</details>\n";
+    else doubts = list(doubts);
+    return failed.empty() && doubts.empty() ? "" : "<h2>Points to know about</h2>\n" + list(failed) + doubts;
 }
 
 std::string charts(const Study& study, const fs::path& folder) {
@@ -92,8 +98,8 @@ std::string charts(const Study& study, const fs::path& folder) {
 
 constexpr const char* style =
     "<style>td:nth-child(2),td:nth-child(3),th:nth-child(2),th:nth-child(3){text-align:left}table{font-size:13px}figure{margin:1em 0;break-inside:avoid}"
-    "tr{break-inside:avoid}h2{break-after:avoid}#chart{width:100%}#families label{margin-right:1.2em;white-space:nowrap}.mark{display:inline-block;width:.8em;"
-    "height:.8em;margin:0 .4em}#told{position:absolute;z-index:9;max-width:34em;background:#fff;border:1px solid #888;padding:.4em .7em;font-size:13px;"
+    "tr{break-inside:avoid}h2{break-after:avoid}#chart{width:100%}#families label{margin-right:1.2em;white-space:nowrap}.mark{margin:0 .3em;font-family:DejaVu Sans,sans-serif}"
+    ".ranked td:nth-child(n+4){white-space:nowrap}#told{position:absolute;z-index:9;max-width:34em;background:#fff;border:1px solid #888;padding:.4em .7em;font-size:13px;"
     "box-shadow:0 2px 6px #0003;overflow-wrap:anywhere}@media print{#interactive{display:none}body{max-width:none}}</style>\n";
 
 }    // namespace

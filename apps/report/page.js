@@ -4,6 +4,7 @@
 
 const study = JSON.parse(document.getElementById("study").textContent);
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666"];
+const shapes = { "circle": "\u25cf", "square": "\u25a0", "triangle-up": "\u25b2", "diamond": "\u25c6", "triangle-down": "\u25bc", "cross": "\u271a", "triangle-left": "\u25c0", "triangle-right": "\u25b6" };
 const families = [...new Set(study.points.map((point) => point.family))];
 const hidden = new Set();
 const norm = document.getElementById("norm");
@@ -17,9 +18,15 @@ function configuration(point) {
 }
 
 // Points that none of a list beats, by cost.
-function front(points) {
+function front(points, cost = "cpu_s", error = "error") {
     let best = Infinity;
-    return [...points].sort((a, b) => a.cpu_s - b.cpu_s || a.error - b.error).filter((point) => point.error < best && ((best = point.error), true));
+    return [...points].sort((a, b) => a[cost] - b[cost] || a[error] - b[error]).filter((point) => point[error] < best && ((best = point[error]), true));
+}
+
+// What is foreseen of the best of each family.
+function foreseen(points) {
+    const known = points.filter((point) => point.predicted_l2 > 0 && point.predicted_cpu_s > 0);
+    return families.flatMap((family) => front(known.filter((point) => point.family === family), "predicted_cpu_s", "predicted_l2"));
 }
 
 function shown_points() {
@@ -28,9 +35,13 @@ function shown_points() {
     return study.points.map((point) => ({ ...point, error: point[norm.value] && Math.max(point[norm.value], floor) })).filter(shown);
 }
 
+function shape(_, index) {
+    return Object.keys(shapes)[index % Object.keys(shapes).length];
+}
+
 function specification(shown) {
     const points = shown.map((point) => ({ ...point, told: configuration(point) }));
-    const predicted = norm.value === "errors.l2" ? points.filter((point) => point.predicted_l2 > 0 && point.predicted_cpu_s > 0) : [];
+    const predicted = norm.value === "errors.l2" ? foreseen(points) : [];
     const axis = (field, title) => ({ field, type: "quantitative", title, scale: { type: "log" }, axis: { format: "~e", tickCount: 6 } });
     const cost = (field) => axis(field, "CPU time of stepping [s]"), error = (field) => axis(field, study.norms.find(({ key }) => key === norm.value).name);
     const colour = { field: "family", type: "nominal", scale: { domain: families, range: families.map((_, i) => colours[i % colours.length]) }, legend: null };
@@ -44,7 +55,7 @@ function specification(shown) {
               encoding: { x: cost("cpu_s"), y: error("error") } },
             { data: { values: points }, mark: { type: "point", filled: true, size: 110, opacity: 1, tooltip: { content: "data" } },
               encoding: { x: cost("cpu_s"), y: error("error"), color: colour,
-                          shape: { field: "family", type: "nominal", scale: { domain: families }, legend: null },
+                          shape: { field: "family", type: "nominal", scale: { domain: families, range: families.map(shape) }, legend: null },
                           tooltip: { field: "told" }, description: { field: "name" } } },
         ],
     };
@@ -81,7 +92,8 @@ function legend_entry(family, index) {
         draw();
     });
     mark.className = "mark";
-    mark.style.background = colours[index % colours.length];
+    mark.style.color = colours[index % colours.length];
+    mark.textContent = shapes[shape(family, index)];
     label.append(box, mark, family || "all points");
     return label;
 }

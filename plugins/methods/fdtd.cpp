@@ -10,7 +10,10 @@
 ///
 /// Walls are mirrors, rigid or soft, on the last points of p or half a spacing beyond them, as for particles: both are exact on this
 /// grid. A face without a boundary is a rigid wall half a spacing beyond. absorbing_mur and soft_fdtd act on one layer of p beyond the
-/// last points, at order 2. Several media: fdtd's staggered/media.hpp says how points near interfaces take them.
+/// last points, at order 2. Several media: staggered/media.hpp says how points near interfaces take them.
+///
+/// Bodies are staircases: a cell is solid if its point lies in one, so that a curved wall is right to the first order only, at order 4
+/// too, which falls to 2 where its differences would reach into a body. fdtd/bodies.hpp says how. The stable step stays the same.
 struct Fdtd final : abi::Method {
     int order = 2;
 
@@ -18,6 +21,7 @@ struct Fdtd final : abi::Method {
 
     bool meshfree() const override { return false; }
     bool several_media() const override { return true; }
+    bool bodies() const override { return true; }
     bool carry(const abi::Medium& medium, const abi::Box& box, double dt, const double* k, abi::CarriedWave& wave) const override {
         wave = fdtd::carried(medium, box.dimension, box.dx, order, dt, k);
         return true;

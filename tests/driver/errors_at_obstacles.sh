@@ -20,7 +20,7 @@ refused 2 'case.json: /obstacles/0/wal: unknown key "wal". Did you mean "wall"?'
 at_circle ''
 refused 2 'case.json: /particles/motion: "lagrangian" particles would run into the obstacles. Use "auto", which keeps them where they are' "${circle[@]}" --set /particles/motion=lagrangian
 refused 2 'case.json: /particles/neighbours: "lattice" needs a full lattice, and obstacles cut particles out of it. Use "auto"' "${circle[@]}" --set /particles/neighbours=lattice
-refused 2 'case.json: /obstacles: method fdtd knows no obstacles. Use method "particles"' "${circle[@]}" --set '/method={"type":"fdtd"}'
+refused 2 'case.json: /obstacles: method kspace knows no obstacles. Use method "particles", or "fdtd", which takes them as a staircase' "${circle[@]}" --set '/method={"type":"kspace"}'
 refused 2 'case.json: /equations/p/0/form: this form'"'"'s weights are made for waves without obstacles. Use another form, such as "corrected"' "${circle[@]}" --set /equations=band_fitted_acoustics
 refused_like 2 'case.json: /boundaries/0: it continues a frozen lattice by layers of virtual particles, and this set is another one. *' "${circle[@]}" --set '/boundaries=[{"type":"absorbing_mur","face":"x_max"}]'
 refused 2 'case.json: /obstacles: they leave 0 of 9576 particles. Make the solid smaller, or keep the shape'"'"'s other side' "${circle[@]}" --set /obstacles/0/radius=9

@@ -30,6 +30,8 @@ async function look(page, troubles) {
 
     const families = page.locator("#families label");
     check("a family's name is text", (await families.nth(1).innerText()).includes("<i>coarse</i>"));
+    const marks = await page.locator("#families .mark").evaluateAll((all) => all.map((mark) => mark.textContent + mark.style.color));
+    check("each family has a mark of its own in the legend", new Set(marks).size === 2 && marks.every((mark) => mark[0] !== "r"), marks.join(" "));
     await families.nth(0).click();
     await page.waitForFunction(() => document.querySelectorAll("#chart svg .mark-symbol path").length === 2);
     await points.first().hover();

@@ -148,7 +148,8 @@ changes = [
     [(("obstacles",), [])], [(("obstacles",), {})], [(("obstacles",), [EDGE])], [(("obstacles",), [EDGE | {"type": "edge"}])],
     [(("obstacles",), [EDGE | {"wall": "soft", "keep": "outside"}])], [(("obstacles",), [EDGE | {"wall": "hard"}])],
     [(("obstacles",), [EDGE | {"keep": 1}])], [(("obstacles",), [EDGE | {"radius": 1}])], [(("obstacles",), [{"type": "circle"}])],
-    [(("obstacles",), [EDGE]), (("method",), {"type": "fdtd"})], [(("obstacles",), []), (("method",), {"type": "fdtd"})],
+    [(("obstacles",), [EDGE]), (("method",), {"type": "kspace"})], [(("obstacles",), []), (("method",), {"type": "fdtd"})],
+    [(("obstacles",), [EDGE]), (("method",), {"type": "fdtd"})],
     # time
     [(("integrator", "dt"), 1e-6)], [(("integrator", "safety"), 0.5)], [(("integrator",), {"type": "rk4", "safety": 0.5, "dt": 1e-6})], [(("integrator", "courant"), ABSENT)],
     [(("integrator",), {"type": "rk4", "safety": 0.5})], [(("integrator",), {"type": "rk4", "safety": 2.5})],

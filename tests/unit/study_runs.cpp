@@ -1,43 +1,20 @@
-#include <sphonic/error.hpp>
-#include <sphonic/study.hpp>
+#include "../support/study_bench.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
 #include <vector>
 
 using namespace sphonic;
-namespace fs = std::filesystem;
 
 namespace {
 
 using Status = StudyResult::Status;
 
-/// A folder with a study of two steps of a small case, three runs of each.
-struct Bench {
-    fs::path folder = fs::temp_directory_path() / ("sphonic_study_runs_" + std::to_string(getpid())), out = folder / "out";
-    Registry registry{Registry::search_path()};
-
-    Bench() {
-        fs::create_directories(folder);
-        std::ofstream(folder / "tone.json") << R"json({ "dimension": 1, "medium": { "c0": 340, "rho0": 1 },
-            "particles": { "type": "lattice", "dx": 0.1, "lower": [-2], "upper": [8], "motion": "frozen" },
-            "kernel": { "type": "cubic_spline", "h_over_dx": 1 }, "equations": "linear_acoustics",
-            "sources": [ { "type": "plane_wave", "region": "x < 0", "amplitude": 1, "omega": 500, "direction": [1] } ],
-            "integrator": { "type": "symplectic_euler", "courant": 0.5 }, "until": 0.01,
-            "reference": { "type": "plane_wave_front", "region": "0 <= x <= 8", "scale": 1 } })json";
-    }
-    ~Bench() { fs::remove_all(folder); }
-
+/// Two steps, three runs of each.
+struct Bench : testing::StudyBench {
     Study study(const std::string& values = "[0.5, 1]", const std::string& more = R"("repeat": 3)") const {
-        std::ofstream(folder / "study.json") << R"({ "case": "tone.json", "vary": [ { "name": "C", "pointer": "/integrator/courant", "values": )" << values << "} ], " << more << "}";
-        return load_study(folder / "study.json");
+        return study_of(R"({ "name": "C", "pointer": "/integrator/courant", "values": )" + values + "}", more);
     }
     std::vector<Json> runs() const {
         std::ifstream in(out / "runs.jsonl");
@@ -191,9 +168,18 @@ TEST_CASE("a study's chart tells the power with which its curves go") {
     for (std::size_t i = 0; i < 3; ++i) runs[i]["summary"]["errors"]["l2"] = std::pow(2, 2.5 * double(i));
     bench.write_runs(runs);
     collect_study(study, bench.out);
-    const fs::path drawn = bench.out / "slopes.svg", script = bench.out / "slopes.gp";
-    std::ifstream in(fs::exists(drawn) ? drawn : script);
-    CHECK_THAT(std::string(std::istreambuf_iterator<char>(in), {}), Catch::Contains("slope 2.50"));
+    CHECK_THAT(bench.picture("slopes"), Catch::Contains("slope 2.50"));
+}
+
+TEST_CASE("a dimension is called by its whole name, a pointer by its last member") {
+    Bench bench;
+    const std::string charts = R"("charts": [ { "type": "value", "name": "named", "x": "c0 dt/dx" }, { "type": "value", "name": "pointed", "x": "/integrator/courant" } ])";
+    const Study study = bench.study_of(R"({ "name": "c0 dt/dx", "pointer": "/integrator/courant", "values": [0.5, 1] })", charts);
+    CHECK(study.points[0].name == "c0 dt/dx = 0.5");
+    CHECK(study.charts[0].x_label == "c0 dt/dx");
+    CHECK(study.charts[1].x_label == "courant");
+    run_study(study, bench.registry, bench.out, false);
+    CHECK_THAT(bench.picture("named"), Catch::Contains("c0 dt/dx"));
 }
 
 TEST_CASE("the reading of a target is the cheapest point of each family that meets it") {

@@ -1,40 +1,17 @@
-#include <sphonic/error.hpp>
-#include <sphonic/study.hpp>
+#include "../support/study_bench.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 using namespace sphonic;
-namespace fs = std::filesystem;
 
 namespace {
 
 using Status = StudyResult::Status;
 
-/// Two dimensions of numbers, the wave's frequency and the step, of a small case.
-struct Bench {
-    fs::path folder = fs::temp_directory_path() / ("sphonic_study_worst_" + std::to_string(getpid())), out = folder / "out";
-
-    Bench() {
-        fs::create_directories(folder);
-        std::ofstream(folder / "tone.json") << R"json({ "dimension": 1, "medium": { "c0": 340, "rho0": 1 },
-            "particles": { "type": "lattice", "dx": 0.1, "lower": [-2], "upper": [8], "motion": "frozen" },
-            "kernel": { "type": "cubic_spline", "h_over_dx": 1 }, "equations": "linear_acoustics",
-            "sources": [ { "type": "plane_wave", "region": "x < 0", "amplitude": 1, "omega": 500, "direction": [1] } ],
-            "integrator": { "type": "symplectic_euler", "courant": 0.5 }, "until": 0.01,
-            "reference": { "type": "plane_wave_front", "region": "0 <= x <= 8", "scale": 1 } })json";
-    }
-    ~Bench() { fs::remove_all(folder); }
-
+/// Two dimensions of numbers, the wave's frequency and the step.
+struct Bench : testing::StudyBench {
     Study study(const std::string& more, const std::string& steps = "[0.25, 0.5]") const {
-        std::ofstream(folder / "study.json") << R"({ "case": "tone.json", "vary": [ { "name": "omega", "pointer": "/sources/0/omega", "values": [300, 500, 800] },
-            { "name": "C", "pointer": "/integrator/courant", "values": )" << steps << " } ], " << more << "}";
-        return load_study(folder / "study.json");
+        return study_of(R"({ "name": "omega", "pointer": "/sources/0/omega", "values": [300, 500, 800] }, { "name": "C", "pointer": "/integrator/courant", "values": )" + steps + " }", more);
     }
     std::string refusal(const std::string& more, const std::string& steps = "[0.25, 0.5]") const {
         try {
@@ -95,14 +72,11 @@ TEST_CASE("without such a dimension a study is ranked as it is", "[study]") {
 }
 
 TEST_CASE("a map draws the measure and the CPU time over two dimensions in classes that hold every value", "[study]") {
-    const Bench bench;
+    Bench bench;
     const Study study = bench.study(R"("charts": [ { "type": "map", "name": "plane", "x": "omega", "y": "C", "y_log": true, "y_label": "c0 dt/dx" } ])");
-    Registry registry(Registry::search_path());
-    const auto results = run_study(study, registry, bench.out, false);
+    const auto results = run_study(study, bench.registry, bench.out, false);
     for (const StudyResult& result : results) CHECK(result.status == Status::done);
-    const fs::path drawn = bench.out / "plane.svg", script = bench.out / "plane.gp";
-    std::ifstream in(fs::exists(drawn) ? drawn : script);
-    const std::string picture(std::istreambuf_iterator<char>(in), {});
+    const std::string picture = bench.picture("plane");
     for (const char* text : {"relative L2 error", "CPU time of stepping [s]", "omega", "c0 dt/dx", " to "}) CHECK_THAT(picture, Catch::Contains(text));
     CHECK_THAT(picture, !Catch::Contains("no value"));
 }

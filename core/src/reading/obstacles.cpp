@@ -38,8 +38,8 @@ Obstacle read_obstacle(Case& scene, Section& section, Registry& registry) {
 /// What obstacles cannot be in.
 void require_still_particles(const Case& scene, const Section& root) {
     const auto refuse = [&](const char* place, const char* problem, const char* remedy) { throw Error(Fault::input, root.file() + ": " + place, problem, remedy); };
-    if (!scene.method->meshfree())
-        root.fail("obstacles", "method " + scene.method_name + " knows no obstacles", "Use method \"particles\"");
+    if (!scene.method->bodies())
+        root.fail("obstacles", "method " + scene.method_name + " knows no obstacles", "Use method \"particles\", or \"fdtd\", which takes them as a staircase");
     if (scene.motion == Motion::lagrangian)
         refuse("/particles/motion", "\"lagrangian\" particles would run into the obstacles", "Use \"auto\", which keeps them where they are");
     if (scene.media->several()) root.fail("medium", "there are several media, and obstacles stand in one only", "Give one medium, or remove the obstacles");

@@ -152,7 +152,7 @@ StudyChart read_chart(const Study& study, Section section) {
     chart.group = section.text(group, cost ? "family" : "");
     if (cost && chart.group.empty()) section.fail(group, "the text is empty", "Leave it out to group by family");
     if (!chart.group.empty()) check_place(study, section, group, chart.group);
-    chart.x_label = section.text("x_label", cost ? measure("cpu_s").label : chart.x.substr(chart.x.rfind('/') + 1));
+    chart.x_label = section.text("x_label", cost ? measure("cpu_s").label : place_name(chart.x));
     chart.y_label = section.text("y_label", measure(chart.y).label);
     if (cost) {
         const abi::ParameterInfo floor =

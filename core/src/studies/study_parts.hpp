@@ -25,6 +25,8 @@ Json at_place(const Study& study, const StudyPoint& point, const std::string& pl
 std::string label_text(const Json& label);
 /// The same where its dimension is not seen: "alpha = 0.03"; a text speaks for itself.
 std::string named_label(const std::string& place, const Json& label);
+/// What a dimension, or the last member of a JSON pointer, is called.
+std::string place_name(const std::string& place);
 /// The labels of dimensions with several values, but for one dimension, with commas.
 std::string joined_labels(const Study& study, const std::vector<Json>& labels, const std::string& but = {});
 

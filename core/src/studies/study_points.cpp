@@ -83,9 +83,9 @@ Choice chosen(const Study& study, std::size_t index) {
 
 std::string label_text(const Json& label) { return label.is_string() ? label.get<std::string>() : label.dump(); }
 
-std::string named_label(const std::string& place, const Json& label) {
-    return (label.is_string() ? "" : place.substr(place.rfind('/') + 1) + " = ") + label_text(label);
-}
+std::string place_name(const std::string& place) { return place.starts_with('/') ? place.substr(place.rfind('/') + 1) : place; }
+
+std::string named_label(const std::string& place, const Json& label) { return (label.is_string() ? "" : place_name(place) + " = ") + label_text(label); }
 
 std::string joined_labels(const Study& study, const std::vector<Json>& labels, const std::string& but) {
     std::string text;

@@ -1,6 +1,7 @@
 #pragma once
 #include "../staggered/layers.hpp"
 #include "../staggered/sources.hpp"
+#include "bodies.hpp"
 #include "open_faces.hpp"
 #include "theory.hpp"
 #include "walls.hpp"
@@ -12,7 +13,7 @@ template <int d, int order, bool several>
 class StaggeredGrid final : public abi::Solver {
 public:
     explicit StaggeredGrid(const abi::Scene& scene)
-        : scene_(scene), grid_(scene.box, order / 2, ends_of(scene, order)), media_(scene, grid_), walls_(scene, grid_), open_(scene, grid_, media_),
+        : scene_(scene), grid_(scene.box, order / 2, ends_of(scene, order)), media_(scene, grid_), walls_(scene, grid_), bodies_(scene, grid_, order), open_(scene, grid_, media_),
           layers_(scene, grid_, media_), sources_(scene, grid_, media_), p_(std::size_t(grid_.size)) {
         for (int a = 0; a < d; ++a) u_[a] = p_;
     }
@@ -21,7 +22,7 @@ public:
     double time() const override { return double(index_) * dt_; }
     const char* tier() const override { return "fdtd"; }
     double neighbours_mean() const override { return order * d; }
-    double memory_bytes() const override { return 8.0 * double(grid_.size) * (1 + d) * (several ? 2 : 1) + layers_.bytes(); }
+    double memory_bytes() const override { return 8.0 * double(grid_.size) * (1 + d) * (several ? 2 : 1) + layers_.bytes() + bodies_.bytes(); }
     double energy_bound() const override { return sources_.budget().bound(time()); }
 
     void start(double dt) override {
@@ -30,7 +31,7 @@ public:
         sources_.match([&](double omega, const abi::Medium& m) { return tone_response(grid_, m, order, omega, dt); });
         set_initial_fields();
         sources_.start(p_, u_, dt);
-        walls_.close_velocity(u_);
+        close_velocity();
         close_pressure(0);
         sources_.budget().start(energy());
     }
@@ -47,12 +48,12 @@ public:
 
     /// u half a step behind p, the mean of the two points beside p.
     double pressure(long point) override {
-        if (shown_.at.empty()) shown_ = grid_.all(-1);
+        if (shown_.at.empty()) shown_ = staggered::outside_bodies(scene_, grid_.all(-1));
         return p_[shown_.at[std::size_t(point)]];
     }
 
     abi::Snapshot snapshot() override {
-        if (shown_.at.empty()) shown_ = grid_.all(-1);
+        if (shown_.at.empty()) shown_ = staggered::outside_bodies(scene_, grid_.all(-1));
         abi::Snapshot shot{.points = shown_.points(), .p = shown_.value.data()};
         for (std::size_t i = 0; i < shown_.at.size(); ++i) shown_.value[i] = p_[shown_.at[i]];
         for (int a = 0; a < d; ++a) {
@@ -64,13 +65,14 @@ public:
         return shot;
     }
 
-    /// 1/2 sum V [p_n^2/K + rho0 u_{n-1/2} . u_{n+1/2}], with half of what lies on a wall: what the scheme conserves.
+    /// 1/2 sum V [p_n^2/K + rho0 u_{n-1/2} . u_{n+1/2}], with half of what lies on a wall or on a soft body: what the scheme conserves.
     double energy() override {
         const std::vector<Field> behind(u_, u_ + d);
         kick(dt_);
         double sum = 0;
         for (int c = -1; c < d; ++c)
             for_weights(c, [&](std::size_t at, double weight) {
+                if (bodies_.any() && c >= 0 && bodies_.halved(c, at)) weight *= 0.5;
                 if (c < 0)
                     sum += weight * p_[at] * p_[at] / media_.bulk_of(at);
                 else
@@ -85,10 +87,11 @@ private:
     const Grid grid_;
     const Media media_;
     const Walls walls_;
+    const Bodies bodies_;
     OpenFaces open_;
     staggered::Layers layers_;
     staggered::Sources sources_;
-    const bool meddled_ = layers_.any() || sources_.set_velocity() || sources_.adds();    ///< others than the scheme act between the halves
+    const bool meddled_ = layers_.any() || bodies_.any() || sources_.set_velocity() || sources_.adds();    ///< others than the scheme act between the halves
     const bool touched_ = meddled_ || sources_.set_pressure();
     double dt_ = 0;
     long index_ = 0;
@@ -109,7 +112,7 @@ private:
         for (int a = 0; a < d; ++a) sources_.add_velocity(a, u_[a], time(), dt_);
         damp_velocity();
         sources_.set_velocity(u_, time() + dt_ / 2);
-        if (meddled_) walls_.close_velocity(u_);
+        if (meddled_) close_velocity();
         layers_.apply(-1, p_);
         drift(p_.data(), dt_);
         sources_.add_pressure(p_, time() + dt_ / 2, dt_);
@@ -118,20 +121,27 @@ private:
     void damp_velocity() {
         for (int a = 0; a < d; ++a) layers_.apply(a, u_[a]);
     }
+    void close_velocity() {
+        bodies_.close_velocity(u_);
+        walls_.close_velocity(u_);
+    }
     /// u by h. At order 2 the images of p beyond a wall make those of u.
     void kick(double h) {
         double* const u[3] = {u_[0].data(), u_[1].data(), u_[2].data()};
         Scheme::kick(grid_, media_, p_.data(), u, h, [&](long row) {
             if constexpr (order > 2) walls_.close_velocity_row(u[0] + row);
         });
-        for (int a = 1; a < d && order > 2; ++a) walls_.close_velocity(u_, a);
+        if (bodies_.any()) bodies_.mend_velocity(p_, u_, h / (grid_.dx * media_.of(0).rho0));
+        for (int a = bodies_.any() ? 0 : 1; a < d && order > 2; ++a) walls_.close_velocity(u_, a);
     }
-    /// p by h, with its ghosts along x; u's are as they should be.
+    /// p by h, with its ghosts along x where there are no bodies; u's are as they should be.
     void drift(double* p, double h) const {
         const double* const u[3] = {u_[0].data(), u_[1].data(), u_[2].data()};
         Scheme::drift(grid_, media_, p, u, h, [&](long row) { walls_.close_row(p + row); });
+        if (bodies_.any()) bodies_.mend_pressure(u_, p, h / grid_.dx * Media::modulus(media_.of(0)));
     }
     void close_pressure(double since) {
+        bodies_.close_pressure(p_);
         walls_.close_pressure(p_);
         open_.close(p_, time(), since);
     }
@@ -162,7 +172,7 @@ private:
             faces.put(u_[a]);
             moves = true;
         }
-        walls_.close_velocity(u_);
+        close_velocity();
         if (moves) centre_velocity();
         PointSet nodes = grid_.all(-1);
         if (scene_.initial(scene_.host, "p", 0, nodes.points(), nodes.value.data())) nodes.put(p_);

@@ -4,6 +4,7 @@
 
 #include <sphonic/plugin/energy_budget.hpp>
 
+#include "bodies.hpp"
 #include "media.hpp"
 
 namespace staggered {
@@ -12,7 +13,7 @@ namespace staggered {
 class Sources {
 public:
     Sources(const abi::Scene& scene, const Grid& grid, const Media& media) : grid_(grid), media_(media), budget_(scene.box, media.fastest()) {
-        for (int s = 0; s < scene.source_count; ++s) all_.push_back(place(scene.sources[s]));
+        for (int s = 0; s < scene.source_count; ++s) all_.push_back(place(scene, scene.sources[s]));
     }
 
     bool set_pressure() const { return any([](const abi::Action& a) { return a.sets_pressure; }); }
@@ -64,8 +65,8 @@ private:
     bool any(Is is) const {
         return std::any_of(all_.begin(), all_.end(), [&](const Placed& s) { return is(s.action); });
     }
-    Placed place(const abi::PlacedSource& placed) const {
-        Placed out{.source = placed.source, .action = placed.source->action(), .p = grid_.all(-1).members(placed), .u = {}};
+    Placed place(const abi::Scene& scene, const abi::PlacedSource& placed) const {
+        Placed out{.source = placed.source, .action = placed.source->action(), .p = outside_bodies(scene, grid_.all(-1)).members(placed), .u = {}};
         for (int a = 0; a < grid_.dimension; ++a) out.u[a] = grid_.all(a).members(placed);
         if (out.p.at.empty()) placed.reaches_nothing(placed.host);
         placed.source->enlist(out.p.points(), grid_.cell());

@@ -19,11 +19,15 @@ struct PointSet {
     }
     /// Those that a source acts on.
     PointSet members(const abi::PlacedSource& placed) const {
-        PointSet kept{.dimension = dimension, .at = {}, .x = {}, .value = {}};
         std::vector<unsigned char> inside(at.size());
         placed.inside(placed.host, points(), inside.data());
+        return kept(inside);
+    }
+    /// Those that are marked.
+    PointSet kept(const std::vector<unsigned char>& marked) const {
+        PointSet kept{.dimension = dimension, .at = {}, .x = {}, .value = {}};
         for (std::size_t i = 0; i < at.size(); ++i) {
-            if (!inside[i]) continue;
+            if (!marked[i]) continue;
             kept.at.push_back(at[i]);
             for (int a = 0; a < dimension; ++a) kept.x[a].push_back(x[a][i]);
         }

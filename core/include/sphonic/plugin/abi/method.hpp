@@ -60,6 +60,9 @@ struct PlacedSource {
     const void* host = nullptr;
 };
 
+/// What a point lies in: no body, or one whose wall lets no velocity through, has p = 0, or does nothing but end the sound's medium.
+enum class Body : unsigned char { none, rigid, soft, free };
+
 /// The scene as a method sees it.
 struct Scene {
     Box box;
@@ -72,6 +75,8 @@ struct Scene {
     int source_count = 0;
     /// Initial values of a field ("p", or component `axis` of "u") at points; false, and nothing written, if the case gives none.
     bool (*initial)(const void* host, const char* field, int axis, const Points& points, double* out) = nullptr;
+    /// Writes the body that each point lies in, those on a wall in none. Null without bodies.
+    void (*bodies)(const void* host, const Points& points, Body* out) = nullptr;
     /// The runtime's particle solver for this scene.
     std::unique_ptr<Solver> (*particles)(const void* host) = nullptr;
     const void* host = nullptr;
@@ -95,6 +100,8 @@ public:
     virtual bool meshfree() const = 0;
     /// True for one that knows of several media; a case that has them is refused for the others.
     virtual bool several_media() const { return false; }
+    /// True for one that knows of bodies; a case that has them is refused for the others.
+    virtual bool bodies() const { return meshfree(); }
     /// The wave of wave vector k [rad/m] in steps of dt [s], for predictions; false, and nothing written, where the method's theory is not known.
     virtual bool carry(const Medium&, const Box&, double /*dt*/, const double* /*k*/, CarriedWave&) const { return false; }
 };
