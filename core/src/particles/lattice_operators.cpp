@@ -12,7 +12,7 @@
 namespace sphonic {
 namespace {
 
-/// The interior's weights of one medium, made ready for sliding rows and, by pairs, for a gradient and for a divergence.
+/// The interior's weights of one medium, made ready for sliding rows, for a row alone and, by pairs, for a gradient and for a divergence.
 template <class Real>
 struct FoldedStencil {
     FoldedStencil(const LatticeGrid& grid, const std::vector<Offset>& stencil, double factor, bool gradient)
@@ -21,13 +21,21 @@ struct FoldedStencil {
             FoldedPair<Real> pair{grid.stride(n), {}};
             for (int a = 0; a < 3; ++a) pair.weight[a] = Real(factor * n.gradient[a]);
             pairs.push_back(pair);
+            if (grid.layout.dimension == 1) add_along(n.o[0], pair.weight[0]);
             for (int a = 0; a < 3; ++a)
                 if (pair.weight[a] != 0) taps[a].push_back({pair.at, pair.weight[a]});
         }
     }
     SlidingStencil<Real> sliding;
+    std::vector<Real> along;    ///< w_1 ... w_R of a set of one dimension
     std::vector<FoldedPair<Real>> pairs;
     std::vector<FoldedTap<Real>> taps[3];
+
+private:
+    void add_along(int s, Real weight) {
+        along.resize(std::max(along.size(), std::size_t(s)));
+        along[std::size_t(s) - 1] = weight;
+    }
 };
 
 /// By medium.
@@ -38,7 +46,7 @@ std::vector<std::vector<Offset>> interior(const LatticeGrid& grid, const Term& t
     return all;
 }
 
-/// Gradient or divergence: interior by sliding rows, or, along one axis and where those do not apply, by folded pairs, what they leave wrong mended afterwards.
+/// Gradient or divergence: interior by sliding rows, or where those do not apply by folded pairs, what they leave wrong mended afterwards.
 template <class Real>
 class Derivative final : public LatticeTerm<Real> {
 public:
@@ -100,6 +108,15 @@ private:
             case 1: return slide<D, 1>(s.sliding, f, offset, n, finish, out);
             case 2: return slide<D, 2>(s.sliding, f, offset, n, finish, out);
             case 3: return slide<D, 3>(s.sliding, f, offset, n, finish, out);
+        }
+        if constexpr (D == 1 && columns_fit) switch (s.along.size()) {
+            case 1: return slide_along<Real, 1>(s.along.data(), f[0], offset, n, finish, out);
+            case 2: return slide_along<Real, 2>(s.along.data(), f[0], offset, n, finish, out);
+            case 3: return slide_along<Real, 3>(s.along.data(), f[0], offset, n, finish, out);
+            case 4: return slide_along<Real, 4>(s.along.data(), f[0], offset, n, finish, out);
+            case 5: return slide_along<Real, 5>(s.along.data(), f[0], offset, n, finish, out);
+            case 6: return slide_along<Real, 6>(s.along.data(), f[0], offset, n, finish, out);
+            case 7: return slide_along<Real, 7>(s.along.data(), f[0], offset, n, finish, out);
         }
         sweep_pairs<D>(s, f, offset, n, finish, out);
     }

@@ -151,4 +151,26 @@ private:
     }
 };
 
+/// A derivative along a set of one dimension, sum_s w_s (f(i + s) - f(i - s)), s = 1 ... R, every value loaded once.
+template <class Real, int R>
+void slide_along(const Real* weight, const Real* f, std::ptrdiff_t offset, long n, const Finish<Real>& finish, Real* const* out) {
+    constexpr int lanes = lanes_of<Real>;
+    static_assert(R < lanes);
+    using Lane = LaneOf<Real>;
+    Lane behind = load(f + offset - lanes), here = load(f + offset);
+    for (long i = 0; i < n; i += lanes) {
+        const Lane ahead = load(f + offset + i + lanes);
+        Lane sum[1][1] = {};
+        [&]<int... S>(std::integer_sequence<int, S...>) {
+            ((sum[0][0] += weight[S] * (shifted<S + 1>(here, ahead) - shifted<lanes - 1 - S>(behind, here))), ...);
+        }(std::make_integer_sequence<int, R>());
+        if (n - i >= lanes)
+            finish_block<Real, 1, 1>(sum, finish, out, offset + i);
+        else
+            finish_part<Real, 1>(sum, finish, out, offset + i, n - i);
+        behind = here;
+        here = ahead;
+    }
+}
+
 }    // namespace sphonic
