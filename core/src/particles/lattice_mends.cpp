@@ -1,10 +1,13 @@
 #include "lattice_mends.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <map>
+#include <optional>
 #include <string>
 
 #include <sphonic/error.hpp>
+
+#include "correction.hpp"
 
 namespace sphonic {
 namespace {
@@ -15,17 +18,46 @@ std::array<double, 3> product(const std::array<double, 9>& L, const double* g, d
     return v;
 }
 
-}    // namespace
+/// Finds what a stencil leaves wrong.
+class MendedRows {
+public:
+    MendedRows(const LatticeGrid& grid, const Term& term, const std::vector<std::vector<Offset>>& stencils);
+
+    RowMends mends() && { return std::move(mends_); }
+
+private:
+    using Vector = RowMends::Vector;
+    using Matrix = std::array<double, 9>;
+    using Site = std::array<long, 3>;
+    const LatticeGrid& grid_;
+    const Term& term_;
+    const std::vector<std::vector<Offset>>& stencils_;
+    std::vector<std::uint8_t> medium_;                    ///< of sites and ghosts, where the form tells media apart
+    std::vector<RestCoefficients> between_;               ///< [own medium][other's]
+    std::map<Site, Matrix> corrections_;
+    RowMends mends_;
+
+    void find_media();
+    bool near_end(int axis, long i) const;
+    bool meets_another(const Site& site) const;
+    void add_rows();
+    void add_row(const Site& site, bool end);
+    std::pair<Vector, Vector> weights(const Site& site, const Site& other, std::size_t k, bool end);
+    long image(int axis, long i) const;
+    std::optional<Site> neighbour(const Site& site, const Offset& n) const;
+    const Matrix& correction(const Site& site);
+    std::ptrdiff_t at(const Site& site) const { return grid_.layout.at(site[0], site[1], site[2]); }
+    int medium(const Site& site) const { return medium_.empty() ? grid_.medium(site) : medium_[std::size_t(at(site))]; }
+    const RestCoefficients& between(int i, int j) const { return between_[std::size_t(i * grid_.media.count() + j)]; }
+};
 
 MendedRows::MendedRows(const LatticeGrid& grid, const Term& term, const std::vector<std::vector<Offset>>& stencils)
-    : grid_(grid), term_(term), stencils_(stencils) {
+    : grid_(grid), term_(term), stencils_(stencils), mends_(grid.layout, term.op == Term::Operator::gradient) {
     for (const abi::Medium& i : grid.media.list())
         for (const abi::Medium& j : grid.media.list()) between_.push_back(rest_coefficients(*term.form, derivative(term), i, j));
     if (grid.media.several() && !term.form->uniform()) find_media();
     add_rows();
-    index_rows();
-    corrections_.clear();
-    medium_ = {};
+    mends_.close();
 }
 
 /// Ghosts are of their image's medium.
@@ -136,51 +168,32 @@ void MendedRows::add_row(const Site& site, bool end) {
     const double coefficient = term_.coefficient[std::size_t(m)];
     Vector rest{};                           // sum of the weights
     double crossing = 0, share = 0;          // pairs between two media, and what they take of it
-    Row row{.at = at(site), .own = {0, 0, 0}, .begin = entries_.size(), .end = 0};
+    Vector sum{};                            // of the own value's weights
+    std::vector<RowMends::Entry> entries;
     for (std::size_t k = 0; k < stencil.size(); ++k) {
         const auto other = neighbour(site, stencil[k]);
         if (!other) continue;
         const RestCoefficients c = between(m, medium(*other));
         const auto [own, theirs] = weights(site, *other, k, end);
-        Entry entry{.at = row.at + grid_.stride(stencil[k]), .weight = {0, 0, 0}};
+        RowMends::Entry entry{.at = at(site) + grid_.stride(stencil[k]), .weight = {0, 0, 0}};
         for (std::size_t a = 0; a < 3; ++a) {
-            row.own[a] += coefficient * c.own * own[a];
+            sum[a] += coefficient * c.own * own[a];
             rest[a] += own[a];
             entry.weight[a] = coefficient * (c.other * theirs[a] - between(m, m).other * stencil[k].gradient[a]);
         }
-        if (std::ranges::any_of(entry.weight, [](double w) { return w != 0; })) entries_.push_back(entry);
+        if (std::ranges::any_of(entry.weight, [](double w) { return w != 0; })) entries.push_back(entry);
         if (medium(*other) == m) continue;
         share += c.other;
         ++crossing;
     }
-    for (std::size_t a = 0; a < 3 && crossing > 0 && !term_.fitted.empty(); ++a) row.own[a] += coefficient * share / crossing * rest[a];
-    row.end = entries_.size();
-    rows_.push_back(row);
+    for (std::size_t a = 0; a < 3 && crossing > 0 && !term_.fitted.empty(); ++a) sum[a] += coefficient * share / crossing * rest[a];
+    mends_.add(at(site), sum, entries);
 }
 
-void MendedRows::index_rows() {
-    first_.assign(layout_row(grid_.layout.size) + 2, 0);
-    for (const Row& row : rows_) ++first_[layout_row(row.at) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-}
+}    // namespace
 
-template <class Real>
-void MendedRows::mend(std::ptrdiff_t offset, long n, const Real* const* f, Real* const* out, double scale) const {
-    const std::size_t here = layout_row(offset);
-    const Row *first = rows_.data() + first_[here], *last = rows_.data() + first_[here + 1];
-    if (first == last) return;
-    const int d = grid_.layout.dimension;
-    const bool gradient = term_.op == Term::Operator::gradient;
-    for (const Row* row = std::lower_bound(first, last, offset, [](const Row& r, std::ptrdiff_t at) { return r.at < at; }); row != last && row->at < offset + n; ++row) {
-        double sum[3] = {0, 0, 0};
-        for (int a = 0; a < d; ++a) sum[a] = row->own[a] * f[gradient ? 0 : a][row->at];
-        for (const Entry* entry = entries_.data() + row->begin; entry != entries_.data() + row->end; ++entry)
-            for (int a = 0; a < d; ++a) sum[a] += entry->weight[a] * f[gradient ? 0 : a][entry->at];
-        for (int a = 0; a < d; ++a) out[gradient ? a : 0][row->at] += Real(scale * sum[a]);
-    }
+RowMends lattice_mends(const LatticeGrid& grid, const Term& term, const std::vector<std::vector<Offset>>& stencils) {
+    return MendedRows(grid, term, stencils).mends();
 }
-
-template void MendedRows::mend<double>(std::ptrdiff_t, long, const double* const*, double* const*, double) const;
-template void MendedRows::mend<float>(std::ptrdiff_t, long, const float* const*, float* const*, double) const;
 
 }    // namespace sphonic

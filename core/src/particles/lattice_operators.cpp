@@ -57,7 +57,7 @@ public:
 
     Derivative(const LatticeGrid& grid, const Components& components, const Term& term, std::vector<int> target,
                const std::vector<std::vector<Offset>>& stencils)
-        : grid_(grid), term_(term), target_(std::move(target)), mended_(grid, term, stencils) {
+        : grid_(grid), term_(term), target_(std::move(target)), mends_(lattice_mends(grid, term, stencils)) {
         for (std::size_t m = 0; m < stencils.size(); ++m) {
             const abi::Medium& medium = grid.media.list()[m];
             const double factor = term.coefficient[m] * rest_coefficients(*term.form, derivative(term), medium, medium).other;
@@ -85,7 +85,7 @@ private:
     const Term& term_;
     std::vector<int> target_, operand_;
     std::vector<FoldedStencil<Real>> stencils_;    ///< by medium
-    MendedRows mended_;
+    RowMends mends_;
     std::vector<PowerOf> factors_;
     ArrayOf<Real> scratch_[3];
 
@@ -98,7 +98,7 @@ private:
         grid_.for_blocks([&](int medium, long offset, long n) {
             const FoldedStencil<Real>& s = stencils_[std::size_t(medium)];
             sweep_stretch<D>(s, f, offset, n, finish, out);
-            mended_.mend(offset, n, f, out, finish.scale);
+            mends_.mend(offset, n, f, out, finish.scale);
         });
     }
 
