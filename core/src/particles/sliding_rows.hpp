@@ -107,6 +107,10 @@ public:
         Window here(stencil, f, offset);
         Sums sum = begun(Window(stencil, f, offset - lanes), here, along());
         for (long i = 0; i < n; i += lanes) {
+            if (n - i + R <= lanes) {    // the last of a row reach no further than their own vector
+                add_next(sum, here, here, along());
+                return finish_part<Real, outputs>(sum.of, finish, out, offset + i, n - i);
+            }
             const Window ahead(stencil, f, offset + i + lanes);
             if (stencil.far) fetch_next(stencil, f, offset + i, out);
             add_next(sum, here, ahead, along());
