@@ -77,7 +77,8 @@ int stability_table(const StabilityOptions& options);
 int atlas(const AtlasOptions& options);
 int list(const Common& options);
 int describe(const DescribeOptions& options);
-int schema(const Common& options);
+/// `what`: "case" or "study".
+int schema(const Common& options, const std::string& what);
 int kernel(const KernelOptions& options);
 int calibrate(const Common& options);
 /// `folder` empty: the kind's own folder in the source tree around the current one.

@@ -41,7 +41,7 @@ struct Arguments {
     DescribeOptions described;
     KernelOptions card;
     AtlasOptions atlas;
-    std::string kind, name;
+    std::string kind, name, schema = "case";
     std::filesystem::path folder;
     int result = 0;
 };
@@ -145,9 +145,10 @@ void add_plugin_commands(CLI::App& app, Arguments& a) {
     add_common(*kernel_command, a.card);
     kernel_command->callback([&a] { a.result = kernel(a.card); });
 
-    auto* schema_command = app.add_subcommand("schema", "the JSON Schema of a case, with the parameters of all plugins found");
+    auto* schema_command = app.add_subcommand("schema", "the JSON Schema of a case, with the parameters of all plugins found, or of a study");
+    schema_command->add_option("WHAT", a.schema, "case (default) or study")->check(CLI::IsMember({"case", "study"}));
     add_common(*schema_command, a.options);
-    schema_command->callback([&a] { a.result = schema(a.options); });
+    schema_command->callback([&a] { a.result = schema(a.options, a.schema); });
 
     auto* new_command = app.add_subcommand("new", "the source of a new plugin, which builds and works as it is");
     new_command->add_option("KIND", a.kind, "kernel, viscosity, source, ...")->required();

@@ -1,4 +1,4 @@
-/// The JSON Schema of a case, made from the tables that also make parsing, range errors and `describe`.
+/// The JSON Schemas of a study and of a case: this one made from the tables that also make parsing, range errors and `describe`.
 /// It holds every rule that looks at one object; what looks across objects (a kernel's reach, regions, the step) is
 /// left to `check`.
 #include <iostream>
@@ -107,9 +107,7 @@ Json method_rule(const Plugins& plugins, Registry& registry) {
 }
 
 Json case_schema(const Plugins& plugins, Registry& registry) {
-    Json schema = object({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                          {"title", std::string("A case of sphonic ") + version()}});
-    schema.update(closed(case_members(), {"dimension", "medium", "particles", "integrator", "until"}));
+    Json schema = closed(case_members(), {"dimension", "medium", "particles", "integrator", "until"});
     schema["allOf"] = Json::array();
     for (int d = 1; d <= 3; ++d) schema["allOf"].push_back(dimension_rule(plugins, d));
     schema["$defs"] = kind_schemas(plugins, registry);
@@ -119,14 +117,21 @@ Json case_schema(const Plugins& plugins, Registry& registry) {
     return with_open_places(std::move(schema), needs);
 }
 
+void print(const std::string& what, const Json& of_it) {
+    Json schema = object({{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "A " + what + " of sphonic " + version()}});
+    schema.update(of_it);
+    std::cout << json_text(schema);
+}
+
 }    // namespace
 
-int schema(const Common& options) {
+int schema(const Common& options, const std::string& what) {
+    if (what == "study") return print(what, study_schema()), 0;
     Registry registry(Registry::search_path(options.plugin_path));
     const FoundPlugins found = load_found(registry, "schema");
     Plugins plugins;
     for (const Plugin* plugin : found.plugins) plugins[plugin->kind].push_back(plugin);
-    std::cout << json_text(case_schema(plugins, registry));
+    print(what, case_schema(plugins, registry));
     return found.exit_code();
 }
 

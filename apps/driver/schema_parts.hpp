@@ -1,5 +1,5 @@
 #pragma once
-/// The JSON Schema of a case, in parts.
+/// The JSON Schemas of a case and of a study, in parts.
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -61,5 +61,8 @@ Json with_open_places(Json schema, const Json& needs);
 
 /// A preset's name, or the assembly.
 Json equations_schema(const Plugins& plugins);
+
+/// Of a study: every key that its reader takes. What looks across objects, as that labels differ, is left to the reader.
+Json study_schema();
 
 }    // namespace sphonic::driver::schemas

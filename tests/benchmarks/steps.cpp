@@ -67,6 +67,12 @@ void lattice_3d_pulse_all(benchmark::State& state) { lattice_3d_pulse(state, "al
 void lattice_3d_pulse_asleep(benchmark::State& state) { lattice_3d_pulse(state, "auto"); }
 void fdtd_1d(benchmark::State& state) { steps(state, lattice(1, 2500, 1, {R"(/method={"type":"fdtd"})"})); }
 void fdtd_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd"})"})); }
+/// What acts between the halves of a step parts them.
+const std::string circle = R"(/obstacles=[{"type":"circle","centre":[250,260],"radius":60}])", tone = R"(/sources=[{"type":"point","position":[100,100],"omega":0.3}])";
+const std::string layers = R"(/boundaries=[{"type":"absorbing_layer","face":"all","thickness":20,"attenuation":60}])";
+void fdtd_2d_bodies(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd"})", circle})); }
+void fdtd_2d_layers(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd"})", layers})); }
+void fdtd_2d_source(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd"})", tone})); }
 void fdtd_2d_order_4(benchmark::State& state) { steps(state, lattice(2, 512, 1, {R"(/method={"type":"fdtd","order":4})"})); }
 const std::string periodic = R"(/boundaries=[{"type":"periodic","face":"all"}])", full = "/particles/upper=[512,512]", kspace = R"(/method={"type":"kspace"})";
 void kspace_2d(benchmark::State& state) { steps(state, lattice(2, 512, 1, {kspace, periodic, full})); }
@@ -95,6 +101,9 @@ BENCHMARK(lattice_3d_pulse_all)->Iterations(1);
 BENCHMARK(lattice_3d_pulse_asleep)->Iterations(1);
 BENCHMARK(fdtd_1d);
 BENCHMARK(fdtd_2d);
+BENCHMARK(fdtd_2d_bodies);
+BENCHMARK(fdtd_2d_layers);
+BENCHMARK(fdtd_2d_source);
 BENCHMARK(fdtd_2d_order_4);
 BENCHMARK(fdtd_3d);
 BENCHMARK(kspace_2d);

@@ -144,6 +144,8 @@ std::vector<StudyReading> study_readings(const Study& study, const std::vector<S
 std::string target_text(const Study& study, double target);
 /// What a result gives for a measure, by its name such as "errors.l2"; NaN where the point did not come to its end.
 double measured(const StudyResult& result, const std::string& name);
+/// Of all that a study may measure.
+std::vector<std::string> measure_names();
 /// Of an axis.
 std::string measure_label(const std::string& name);
 /// "diverged", for tables.

@@ -1,17 +1,17 @@
 #include "lanes.hpp"
 #include "particle_system.hpp"
 
-/// How a set begins: places and initial fields.
+/// How a set begins.
 namespace sphonic {
 
-ParticleMedia ParticleSystem::place_particles(const Sites& sites) {
-    double* x[3] = {};
-    for (int a = 0; a < scene_.box.dimension; ++a) {
-        x_[a] = sites.own[a];
-        x_[a].resize(sites.own[a].size() + overrun);
-        x[a] = x_[a].data();
+ParticleMedia place_particles(const Case& scene, const Sites& sites, Places& x) {
+    const double* begin[3] = {};
+    for (int a = 0; a < scene.box.dimension; ++a) {
+        x[a] = sites.own[a];
+        x[a].resize(sites.own[a].size() + overrun);
+        begin[a] = x[a].data();
     }
-    return {scene_, sites.count(), x};
+    return {scene, sites.count(), begin};
 }
 
 void ParticleSystem::set_initial_fields() {

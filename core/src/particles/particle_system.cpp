@@ -43,7 +43,7 @@ ParticleSystem::ParticleSystem(const Case& scene) : ParticleSystem(scene, Sites(
 
 ParticleSystem::ParticleSystem(const Case& scene, const Sites& sites)
     : scene_(scene), components_(scene),
-      threads_(threads_for(scene)), media_(place_particles(sites)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.media->fastest()) {
+      threads_(threads_for(scene)), media_(place_particles(scene, sites, x_)), store_(0, 0), pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), of_pressure_(scene.behind(pressure_)), budget_(scene.box, scene.media->fastest()) {
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
     tier_ = choose_tier(scene, components_, media_, sites, x);
     store_ = Store(layout().size, components_.count);

@@ -123,7 +123,6 @@ private:
     int evolved_behind(int variable) const { return scene_.behind(variable).variable; }
     void order_algebraic();
     ParticleSystem(const Case& scene, const Sites& sites);
-    ParticleMedia place_particles(const Sites& sites);
     void make_parts();
     Part make_part(GroupParts parts);
     Part& part(abi::Group group);

@@ -38,7 +38,7 @@ void in_field(const LatticeGrid& grid, Block block) { in_blocks(grid.threads, gr
 SingleSystem::SingleSystem(const Case& scene) : SingleSystem((require_linear_lattice(scene), scene), Sites(scene)) {}
 
 SingleSystem::SingleSystem(const Case& scene, const Sites& sites)
-    : scene_(scene), components_(scene), media_(place_particles(sites)), grid_(scene, media_, lanes_of<float>),
+    : scene_(scene), components_(scene), media_(place_particles(scene, sites, x_)), grid_(scene, media_, lanes_of<float>),
       ghosts_(scene, components_, media_, grid_.layout, grid_.tiles, grid_.threads), store_(grid_.layout.size, components_.count),
       pressure_(scene.equations.find("p")), velocity_(scene.equations.find("u")), budget_(scene.box, scene.media->fastest()) {
     const double* x[3] = {x_[0].data(), x_[1].data(), x_[2].data()};
@@ -47,16 +47,6 @@ SingleSystem::SingleSystem(const Case& scene, const Sites& sites)
     for (GroupParts& parts : GroupParts::all(scene, components_)) parts_.push_back(make_part(std::move(parts)));
     for (const SourceUse& use : scene.sources) sources_.emplace_back(use, scene, media_, layout(), x);
     layers_ = damped_particles(scene, media_, layout(), x);
-}
-
-ParticleMedia SingleSystem::place_particles(const Sites& sites) {
-    double* x[3] = {};
-    for (int a = 0; a < scene_.box.dimension; ++a) {
-        x_[a] = sites.own[a];
-        x_[a].resize(sites.own[a].size() + overrun);
-        x[a] = x_[a].data();
-    }
-    return {scene_, sites.count(), x};
 }
 
 SingleSystem::Part SingleSystem::make_part(GroupParts parts) const {

@@ -76,7 +76,6 @@ private:
     std::vector<float*> out_;
 
     SingleSystem(const Case& scene, const Sites& sites);
-    ParticleMedia place_particles(const Sites& sites);
     Part make_part(GroupParts parts) const;
     Part& part(abi::Group group) { return parts_[GroupParts::number(group, groups())]; }
     void evaluate(Part& part, double t, abi::Slot out, double scale, bool assign);

@@ -3,6 +3,8 @@
 
 #include <sphonic/case.hpp>
 
+#include "particle_media.hpp"
+
 namespace sphonic {
 
 /// Points by axis [m].
@@ -21,6 +23,9 @@ struct Sites {
 private:
     void separate(const Case& scene, Places& all);
 };
+
+/// The medium of each particle of a set, and as `x` its places, with room for what vectors read beyond the last.
+ParticleMedia place_particles(const Case& scene, const Sites& sites, Places& x);
 
 /// A share of the spacing below which points count as being on a wall.
 inline constexpr double on_wall = 1e-6;

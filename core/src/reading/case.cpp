@@ -87,12 +87,6 @@ void warn_unused(Case& scene, Section& root) {
     if (!unused.empty()) scene.warnings.push_back("method " + scene.method_name + " does not use " + join(unused));
 }
 
-/// Editors find the schema of a file by this key.
-void pass_over_schema(Section& root) {
-    const Json* schema = root.find("$schema");
-    if (schema && !schema->is_string()) root.fail("$schema", shown(*schema) + " is not a string", "Give a string");
-}
-
 /// `rest` of a place of `planned_places`, below a value that stands at `pointer`.
 void refuse_auto(const Section& root, const Json& value, const std::string& pointer, const std::string& rest) {
     if (rest.empty()) {
@@ -215,7 +209,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     auto kept = std::make_shared<const Json>(std::move(document));
     scene.source_text = kept;
     Section root(*kept, scene.file, "");
-    pass_over_schema(root);
+    root.pass_over_schema();
     refuse_unplanned(root);
     read_title(scene, root);
     read_dimension(scene, root);

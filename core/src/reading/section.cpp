@@ -105,6 +105,11 @@ std::string Section::choice(const std::string& key, const std::string& fallback,
     fail(key, "\"" + chosen + "\" is not one of " + join(choices), near.empty() ? "" : "Did you mean \"" + near + "\"?");
 }
 
+void Section::pass_over_schema() {
+    const Json* schema = find("$schema");
+    if (schema && !schema->is_string()) fail("$schema", shown(*schema) + " is not a string", "Give a string");
+}
+
 void Section::finish() const {
     const std::vector<std::string> known(known_.begin(), known_.end());
     for (const auto& [key, member] : value_.items()) {

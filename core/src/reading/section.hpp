@@ -40,6 +40,8 @@ public:
     abi::Value read(const abi::ParameterInfo& row);
     std::vector<abi::Value> read(std::span<const abi::ParameterInfo> table);
 
+    /// Editors find the schema of a file by the key "$schema".
+    void pass_over_schema();
     void finish() const;
 
     /// "FILE: /pointer" of this object or of one of its members.

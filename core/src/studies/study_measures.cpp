@@ -45,6 +45,12 @@ std::span<const Measure> measures() { return table; }
 
 const Measure& measure(const std::string& name) { return *std::ranges::find(table, name, &Measure::name); }
 
+std::vector<std::string> measure_names() {
+    std::vector<std::string> names;
+    for (const Measure& m : table) names.emplace_back(m.name);
+    return names;
+}
+
 std::string measure_label(const std::string& name) { return measure(name).label; }
 
 double measured(const StudyResult& result, const std::string& name) {

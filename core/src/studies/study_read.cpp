@@ -113,6 +113,7 @@ std::string need_text(Section& section, const std::string& key, const std::strin
 Study load_study(const fs::path& file, const std::vector<std::string>& overrides) {
     const Json document = read_json(file);
     Section root(document, file.string(), "");
+    root.pass_over_schema();
     Study study;
     study.file = file;
     study.scene = read_scene(root, file);

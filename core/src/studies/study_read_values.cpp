@@ -4,18 +4,9 @@
 #include "study_reader.hpp"
 
 namespace sphonic {
-namespace {
-
-std::vector<std::string> names_of_measures() {
-    std::vector<std::string> names;
-    for (const Measure& m : measures()) names.emplace_back(m.name);
-    return names;
-}
-
-}    // namespace
 
 std::string read_measure(Section& section, const std::string& key, const std::string& fallback) {
-    return section.choice(key, fallback, names_of_measures());
+    return section.choice(key, fallback, measure_names());
 }
 
 void read_measures(Study& study, Section& section) {
@@ -27,7 +18,7 @@ void read_measures(Study& study, Section& section) {
     const Json& list = need_list(section, "measure", "Name a measure or several");
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Json one{{"measure", list[i]}};
-        const std::string name = Section(one, section.file(), section.pointer()).choice("measure", "", names_of_measures());
+        const std::string name = Section(one, section.file(), section.pointer()).choice("measure", "", measure_names());
         if (name == study.measure || std::ranges::count(study.also, name)) section.fail("measure", "\"" + name + "\" is given twice", "Name each once");
         (i ? study.also.emplace_back() : study.measure) = name;
     }
@@ -42,9 +33,9 @@ bool read_flag(Section& section, const std::string& key) {
 int read_repeat(Section& section) {
     const Json* member = section.find("repeat");
     if (!member) return 1;
-    if (!member->is_number_integer() || *member < 1 || *member > 1000)
-        section.fail("repeat", shown(*member) + " is no number of runs", "Give an integer from 1 to 1000");
-    return member->get<int>();
+    const auto runs = whole_number(*member);
+    if (!runs || *runs < 1 || *runs > 1000) section.fail("repeat", shown(*member) + " is no number of runs", "Give an integer from 1 to 1000");
+    return int(*runs);
 }
 
 double positive(const Section& section, const std::string& key, const Json& value, const std::string& remedy) {
