@@ -29,20 +29,29 @@ private:
     using Vector = RowMends::Vector;
     using Matrix = std::array<double, 9>;
     using Site = std::array<long, 3>;
+    struct Mend {
+        Vector own{};
+        std::vector<RowMends::Entry> others{};    ///< at their strides from the particle
+    };
     const LatticeGrid& grid_;
     const Term& term_;
     const std::vector<std::vector<Offset>>& stencils_;
     std::vector<std::uint8_t> medium_;                    ///< of sites and ghosts, where the form tells media apart
     std::vector<RestCoefficients> between_;               ///< [own medium][other's]
     std::map<Site, Matrix> corrections_;
+    std::map<Site, Mend> known_;                          ///< in one medium: by place among the ends
     RowMends mends_;
 
     void find_media();
     bool near_end(int axis, long i) const;
+    Site among_ends(const Site& site) const;
     bool meets_another(const Site& site) const;
     void add_rows();
-    void add_row(const Site& site, bool end);
+    void add(const Site& site, bool end);
+    Mend mend_of(const Site& site, bool end);
     std::pair<Vector, Vector> weights(const Site& site, const Site& other, std::size_t k, bool end);
+    /// Of what an end changes [sites].
+    long depth(int axis) const { return (term_.form->correction() == abi::Correction::pairwise ? 2 : 1) * grid_.layout.ghosts[axis]; }
     long image(int axis, long i) const;
     std::optional<Site> neighbour(const Site& site, const Offset& n) const;
     const Matrix& correction(const Site& site);
@@ -73,9 +82,16 @@ void MendedRows::find_media() {
 bool MendedRows::near_end(int axis, long i) const {
     const Layout& l = grid_.layout;
     if (axis >= l.dimension) return false;
-    const long supports = term_.form->correction() == abi::Correction::pairwise ? 2 : 1;    // that an end changes
-    const long within = supports * l.ghosts[axis];
+    const long within = depth(axis);
     return (grid_.open(axis, false) && i < within) || (grid_.open(axis, true) && i >= l.count[axis] - within);
+}
+
+/// The same for particles with the same neighbourhood: where one is within reach of an end, and one number for all the others.
+MendedRows::Site MendedRows::among_ends(const Site& site) const {
+    Site place{-1, -1, -1};
+    for (int a = 0; a < grid_.layout.dimension; ++a)
+        if (near_end(a, site[std::size_t(a)])) place[std::size_t(a)] = site[std::size_t(a)];
+    return place;
 }
 
 bool MendedRows::meets_another(const Site& site) const {
@@ -90,7 +106,7 @@ void MendedRows::add_rows() {
             const bool whole_row = near_end(1, j) || near_end(2, k);
             for (long i = 0; i < l.count[0]; ++i) {
                 const bool end = whole_row || near_end(0, i);
-                if (end || (!medium_.empty() && meets_another({i, j, k}))) add_row({i, j, k}, end);
+                if (end || (!medium_.empty() && meets_another({i, j, k}))) add({i, j, k}, end);
             }
         }
 }
@@ -160,34 +176,43 @@ std::pair<MendedRows::Vector, MendedRows::Vector> MendedRows::weights(const Site
     return {mean, mean};
 }
 
+void MendedRows::add(const Site& site, bool end) {
+    if (grid_.media.several()) {
+        const Mend mend = mend_of(site, end);
+        return mends_.add(at(site), mend.own, mend.others);
+    }
+    const auto [known, fresh] = known_.try_emplace(among_ends(site));
+    if (fresh) known->second = mend_of(site, end);
+    mends_.add(at(site), known->second.own, known->second.others);
+}
+
 /// Where the weights are means of two media's, they do not add up to nothing, and of gradient and divergence only one could
 /// take differences if energy is to be conserved. Each takes what the impedances make of it: the one that hurts less more.
-void MendedRows::add_row(const Site& site, bool end) {
+MendedRows::Mend MendedRows::mend_of(const Site& site, bool end) {
     const int m = medium(site);
     const auto& stencil = stencils_[std::size_t(m)];
     const double coefficient = term_.coefficient[std::size_t(m)];
     Vector rest{};                           // sum of the weights
     double crossing = 0, share = 0;          // pairs between two media, and what they take of it
-    Vector sum{};                            // of the own value's weights
-    std::vector<RowMends::Entry> entries;
+    Mend mend;
     for (std::size_t k = 0; k < stencil.size(); ++k) {
         const auto other = neighbour(site, stencil[k]);
         if (!other) continue;
         const RestCoefficients c = between(m, medium(*other));
         const auto [own, theirs] = weights(site, *other, k, end);
-        RowMends::Entry entry{.at = at(site) + grid_.stride(stencil[k]), .weight = {0, 0, 0}};
+        RowMends::Entry entry{.at = grid_.stride(stencil[k]), .weight = {0, 0, 0}};
         for (std::size_t a = 0; a < 3; ++a) {
-            sum[a] += coefficient * c.own * own[a];
+            mend.own[a] += coefficient * c.own * own[a];
             rest[a] += own[a];
             entry.weight[a] = coefficient * (c.other * theirs[a] - between(m, m).other * stencil[k].gradient[a]);
         }
-        if (std::ranges::any_of(entry.weight, [](double w) { return w != 0; })) entries.push_back(entry);
+        if (std::ranges::any_of(entry.weight, [](double w) { return w != 0; })) mend.others.push_back(entry);
         if (medium(*other) == m) continue;
         share += c.other;
         ++crossing;
     }
-    for (std::size_t a = 0; a < 3 && crossing > 0 && !term_.fitted.empty(); ++a) sum[a] += coefficient * share / crossing * rest[a];
-    mends_.add(at(site), sum, entries);
+    for (std::size_t a = 0; a < 3 && crossing > 0 && !term_.fitted.empty(); ++a) mend.own[a] += coefficient * share / crossing * rest[a];
+    return mend;
 }
 
 }    // namespace

@@ -9,7 +9,7 @@ void RowMends::add(std::ptrdiff_t at, const Vector& own, std::span<const Entry> 
     if (own != Vector{}) added_.emplace_back(at, own);
     if (others.empty()) return;
     rows_.push_back({at, entries_.size(), entries_.size() + others.size()});
-    entries_.insert(entries_.end(), others.begin(), others.end());
+    for (const Entry& other : others) entries_.push_back({at + other.at, {other.weight[0], other.weight[1], other.weight[2]}});
 }
 
 void RowMends::close() {

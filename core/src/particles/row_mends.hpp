@@ -20,7 +20,7 @@ public:
 
     RowMends(const Layout& layout, bool gradient) : layout_(layout), gradient_(gradient) {}
 
-    /// To the particle at this place in a field; by ascending places.
+    /// To the particle at this place in a field, from others at places counted from it; by ascending places.
     void add(std::ptrdiff_t at, const Vector& own, std::span<const Entry> others);
     /// When all are there.
     void close();
