@@ -84,6 +84,8 @@ public:
     const Summary& summary() const { return summary_; }
     /// Runs to the end, or until it diverges (then the summary says so). `progress` is called some ten times a second.
     void run(const std::function<void(const Progress&)>& progress = {});
+    /// Runs until `step` steps are done, or the run's own end if that is sooner, and can go on from there. The summary's errors wait for the end.
+    void run_to(long step, const std::function<void(const Progress&)>& progress = {});
 
     const ProbeRecord& probes() const { return probes_; }
     /// The present state beside the reference; not a number where a case asks for no fields, and for nothing else there.
@@ -113,6 +115,8 @@ private:
     void sample();
     void complete(Profile& profile) const;
     long steps(long count);
+    long steps_done() const;
+    long next_sample(long done) const;
     void look(bool end = false);
     void advance_to(long step, const std::function<void(const Progress&)>& progress);
     Errors measure();

@@ -57,10 +57,14 @@ void add_grids(const OpenCase& open, std::vector<Choice>& list) {
 }
 
 void add_fitted(const OpenCase& open, std::vector<Choice>& list) {
-    const std::vector<Json> steps{step("courant", 0.4), step("courant", 0.7), step("safety", 0.95)};
+    const std::vector<Json> steps = off_sites(open) ? std::vector{step("courant", 0.55), step("safety", 0.95)} : std::vector{step("courant", 0.4), step("courant", 0.7), step("safety", 0.95)};
     const Json kernel = open.kernel ? Json{{"type", "cubic_spline"}, {"h_over_dx", 1}} : Json();
-    for (const double support : open.dimension() < 3 ? std::vector{2.0, 3.0, 4.0} : std::vector{2.0, 3.0})    // in space a ball of 4 dx has more weights than the fit bears
-        for (const double finer : open.dimension() < 3 ? std::vector{0.9, 1.1, 1.3} : std::vector{0.9, 1.3})
+    const bool cloud = off_sites(open), space = open.dimension() == 3;
+    const std::vector<double> lattice_supports = space ? std::vector{2.0, 3.0} : std::vector{2.0, 3.0, 4.0};    // in space a ball of 4 dx has more weights than the fit bears
+    const std::vector<double> cloud_supports = open.dimension() == 1 ? std::vector{4.0, 6.0} : space ? std::vector{2.6, 3.3} : std::vector{2.6, 3.3, 4.0};
+    const std::vector<double> fits = cloud ? std::vector{0.9, 1.15, 1.45} : space ? std::vector{0.9, 1.3} : std::vector{0.9, 1.1, 1.3};
+    for (const double support : cloud ? cloud_supports : lattice_supports)
+        for (const double finer : fits)
             for (const Json& one : integrators(open, steps))
                 list.push_back({.family = "band_fitted", .method = open.method ? Json{{"type", "particles"}} : Json(), .equations = {}, .kernel = kernel, .integrator = one, .support = support, .finer = finer});
 }
@@ -83,8 +87,8 @@ void add_kernels(const OpenCase& open, std::vector<Choice>& list) {
 double next_spacing(const OpenCase& open) { return displaced(open) || several_media(open) ? 1.1 : 1.05; }
 
 /// Terms with a form of its own parameters.
-Json fitted_equations(double points, double support) {
-    const Json form{{"type", "band_fitted"}, {"points_per_wavelength", points}, {"support", support}};
+Json fitted_equations(double points, double support, bool cloud) {
+    const Json form{{"type", "band_fitted"}, {"points_per_wavelength", points}, {cloud ? "cloud_support" : "support", support}};
     const auto term = [&](const char* op, const char* of, const char* times) { return Json::array({Json{{op, of}, {"form", form}, {"times", times}}}); };
     return {{"p", term("divergence", "u", "-rho0*c0^2")}, {"u", term("gradient", "p", "-1/rho0")}};
 }
@@ -118,7 +122,7 @@ Json Choice::apply(const OpenCase& open, double dx, double shortest) const {
     if (!kernel.is_null()) document["kernel"] = kernel;
     if (!equations.is_null()) document["equations"] = equations;
     const double points = std::clamp(std::round(10 * finer * shortest / document["particles"]["dx"].get<double>()) / 10, 3.0, 100.0);
-    if (support > 0) document["equations"] = fitted_equations(points, support);
+    if (support > 0) document["equations"] = fitted_equations(points, support, off_sites(open));
     if (open.equations && displaced(open) && support == 0 && !document.contains("obstacles") && !document.contains("dissipation")) document["dissipation"] = {{"type", "fourth_order"}};
     return document;
 }

@@ -8,6 +8,7 @@
 
 #include <sphonic/error.hpp>
 #include <sphonic/prediction.hpp>
+#include <sphonic/shown.hpp>
 
 #include "cost.hpp"
 #include "field_error.hpp"
@@ -18,13 +19,25 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// Takes from a budget what passes while it lives. [CPU s]
+class Spent {
+public:
+    explicit Spent(double& budget) : budget_(budget) {}
+    Spent(const Spent&) = delete;
+    Spent& operator=(const Spent&) = delete;
+    ~Spent() { budget_ -= nothing_ ? 0 : cpu_seconds() - begin_; }
+    void nothing() { nothing_ = true; }
+
+private:
+    double& budget_;
+    const double begin_ = cpu_seconds();
+    bool nothing_ = false;
+};
+
 /// Theory knows walls that are bodies, and sets that are no lattice, only in part.
 bool theory_holds(const Case& scene) { return scene.regular() && scene.motion == Motion::frozen; }
 
-constexpr double other_moment = 0.93;    ///< of the end; later ones tell a phase better, and it must be no whole share of a period
-
-/// By theory, at the end and a little before, over the louder of both: at one moment a wave that is late by a whole period looks right,
-/// and a standing one at its height hardly shows that it is late. Single precision adds its rounding.
+/// By theory, at both moments.
 std::optional<Judgement> by_theory(const Case& scene, const Summary& prepared, double target, double cpu_s) {
     std::string why;
     const double precision = target / 30;
@@ -36,10 +49,24 @@ std::optional<Judgement> by_theory(const Case& scene, const Summary& prepared, d
     }
     Judgement judgement{late->l2(), cpu_s, late->basis};
     if (judgement.l2 > target) return judgement;
-    const auto early = field_error(scene, prepared.dt, std::max(1L, std::lround(other_moment * double(prepared.steps))), why, precision);
-    judgement.l2 = std::max(judgement.l2, std::sqrt(early->error / std::max(early->power, late->power)));
+    const auto early = field_error(scene, prepared.dt, other_step(prepared.steps), why, precision);
+    judgement.l2 = worst_l2({early->error, early->power}, {late->error, late->power});
     return judgement;
 }
+
+/// Beside the exact solution, in its region.
+Moment beside_exact(const Profile& now) {
+    Moment moment;
+    for (std::size_t i = 0; i < now.p.size(); ++i) {
+        if (!now.in_region[i]) continue;
+        moment.error += std::pow(now.p[i] - now.exact[i], 2);
+        moment.power += now.exact[i] * now.exact[i];
+    }
+    return moment;
+}
+
+/// What a run errs over how much half its spacing changes, at the order that the scene leaves: one where bodies are staircases, or media meet between sites.
+double of_difference(const Case& scene) { return scene.obstacles.empty() && scene.media->list().size() == 1 ? 4.0 / 3 : 2; }
 
 using Place = std::array<long, 3>;
 Place place_of(const Profile& profile, std::size_t i, const abi::Box& box, double dx) {
@@ -53,7 +80,7 @@ Place place_of(const Profile& profile, std::size_t i, const abi::Box& box, doubl
 std::optional<Judgement> Judge::judge(const Json& document, double most_cpu_s) {
     refusal = budget_s_ > 0 ? Refusal::case_refused : Refusal::no_budget;
     if (budget_s_ <= 0) return {};
-    const double begin = cpu_seconds();
+    Spent spent(budget_s_);
     try {
         const Case scene = load_case(document, file_, registry_);
         Simulation simulation(scene);
@@ -63,14 +90,13 @@ std::optional<Judgement> Judge::judge(const Json& document, double most_cpu_s) {
         refusal = Refusal::none;
         if (theory_ && theory_holds(scene))
             if (auto judgement = by_theory(scene, simulation.summary(), target_, cpu_s)) {
+                spent.nothing();
                 if (scene.precision == Precision::single) judgement->l2 += rounding_floor(simulation.summary().steps);
                 judgement->l2 = std::hypot(judgement->l2, returned_);
                 if (returned_ > 0) judgement->basis = judgement->basis.substr(0, judgement->basis.find(", without what comes back")) + returned_basis_;
                 return judgement;
             }
-        const auto judgement = by_run(document, scene, simulation, cpu_s);
-        budget_s_ -= cpu_seconds() - begin;
-        return judgement;
+        return by_run(document, scene, simulation, cpu_s);
     } catch (const Error& e) {
         if (e.fault != Fault::input) throw;
         why = e.what();
@@ -78,27 +104,53 @@ std::optional<Judgement> Judge::judge(const Json& document, double most_cpu_s) {
     }
 }
 
+/// To hold runs against where there is no exact solution: of scenes whose method or equations are open, for then they are linear acoustics.
+const FineRun* Judge::fine(double share) {
+    if (fine_ || share <= fine_share_ || !(open_.method || open_.equations)) return fine_.get();
+    fine_ = FineRun::find(open_, shortest_, target_, share * budget_s_, registry_);
+    fine_share_ = share;
+    return fine_.get();
+}
+
+/// Runs to the end; nothing where there is neither an exact solution nor a fine run.
+std::optional<double> Judge::error_of_run(const Case& scene, Simulation& simulation) {
+    if (!scene.reference && !fine_) return {};
+    const auto moment = [&](bool at_end) { return scene.reference ? beside_exact(simulation.profile()) : fine_->moment(simulation.profile(), at_end); };
+    simulation.run_to(other_step(simulation.summary().steps));
+    const Moment other = moment(false);
+    simulation.run();
+    const double l2 = simulation.summary().diverged ? infinite : worst_l2(other, moment(true)) + (scene.reference ? 0 : fine_->off_by());
+    return std::isfinite(l2) ? l2 : infinite;
+}
+
 std::optional<Judgement> Judge::by_run(const Json& document, const Case& scene, Simulation& simulation, double cpu_s) {
-    const double needed = cpu_s * (scene.reference ? 1 : 1 + std::pow(2.0, scene.box.dimension + 1));
+    const bool held_against = scene.reference || fine(share_to_judge);
+    const double needed = cpu_s * (held_against ? 1 : 1 + std::pow(2.0, scene.box.dimension + 1));
     if (needed > budget_s_) {
         refusal = Refusal::no_budget;
         return {};
     }
+    if (const auto l2 = error_of_run(scene, simulation))
+        return Judgement{*l2, cpu_s, "l2: a run beside " + (scene.reference ? "the exact solution" : fine_->name() + ", itself within " + shown(fine_->off_by(), 2)), true};
+    const bool no_pairs = scene.jitter != 0 || !scene.arrangement->regular();    // of the same places
+    if (no_pairs) {
+        refusal = Refusal::case_refused;
+        why = file_ + ": /reference: a set without order is judged beside an exact solution or a fine run, and there is neither";
+        return {};
+    }
     simulation.run();
-    const Summary& s = simulation.summary();
-    if (s.diverged) return Judgement{infinite, cpu_s, "l2: a run that diverged", true};
-    if (s.errors) return Judgement{std::isfinite(s.errors->l2) ? s.errors->l2 : infinite, cpu_s, "l2: a run beside the exact solution", true};
-    return Judgement{against_finer(document, scene, simulation), cpu_s, "l2: 4/3 of the difference from a run at half the spacing", true};
+    if (simulation.summary().diverged) return Judgement{infinite, cpu_s, "l2: a run that diverged", true};
+    return Judgement{against_finer(document, scene, simulation), cpu_s, "l2: " + shown(of_difference(scene), 3) + " times the difference from a run at half the spacing", true};
 }
 
 std::optional<double> Judge::beyond_theory(const Json& document) {
     try {
         const Case scene = load_case(document, file_, registry_);
-        if (!scene.reference || !theory_holds(scene)) return {};
+        if (!theory_holds(scene)) return {};
         Simulation simulation(scene);
         std::string why;
         const auto theory = field_error(scene, simulation.summary().dt, simulation.summary().steps, why);
-        const auto run = theory ? measured(document) : std::nullopt;
+        const auto run = theory ? measured(document, share_to_judge) : std::nullopt;
         if (!run || !std::isfinite(run->first)) return {};
         return std::sqrt(std::max(0.0, run->first * run->first - theory->l2() * theory->l2()));
     } catch (const Error& e) {
@@ -126,31 +178,29 @@ double Judge::against_finer(const Json& document, const Case& scene, Simulation&
         error += std::pow(coarse.p[i] - found->second, 2);
         power += found->second * found->second;
     }
-    return power > 0 ? 4.0 / 3 * std::sqrt(error / power) : infinite;    // of second order
+    return power > 0 ? of_difference(scene) * std::sqrt(error / power) : infinite;
 }
 
 double Judge::timed(const Json& document) {
     const Case scene = load_case(document, file_, registry_);
     double least = infinite;
     for (int run = 0; run < 3 && budget_s_ > 0; ++run) {
+        const Spent spent(budget_s_);
         Simulation simulation(scene);
         simulation.run();
         least = std::min(least, simulation.summary().cpu_s);
-        budget_s_ -= simulation.summary().cpu_s + simulation.summary().setup_s;
     }
     return least;
 }
 
-std::optional<std::pair<double, double>> Judge::measured(const Json& document) {
+std::optional<std::pair<double, double>> Judge::measured(const Json& document, double share) {
+    const Spent spent(budget_s_);
     const Case scene = load_case(document, file_, registry_);
-    if (!scene.reference) return {};
+    if (!scene.reference && !fine(share)) return {};
     Simulation simulation(scene);
     if (predicted_seconds(present_costs(), scene, simulation.summary(), is_viscous(scene)) > budget_s_) return {};
-    simulation.run();
-    const Summary& s = simulation.summary();
-    budget_s_ -= s.cpu_s + s.setup_s;
-    const bool sound = !s.diverged && s.errors && std::isfinite(s.errors->l2);
-    return std::pair{sound ? s.errors->l2 : infinite, s.cpu_s};
+    const double l2 = *error_of_run(scene, simulation);
+    return std::pair{l2, simulation.summary().cpu_s};
 }
 
 }    // namespace sphonic

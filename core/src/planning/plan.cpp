@@ -118,7 +118,7 @@ Plan make_plan(const Json& document, const std::filesystem::path& file, const Pl
     const bool flat = !plan.decisions.empty();
     const std::vector<std::size_t> layers = fit_layers(open, request, plan);
     const double shortest = shortest_of(open, request.target, registry);
-    Judge judge(open.file, registry, request.target, request.budget_s);
+    Judge judge(open, shortest, registry, request.target, request.budget_s);
     if (open.document.contains("boundaries")) weigh_layers(open, layers, request.target, shortest, judge, plan);
     Search found = search(open, request.target, shortest, judge);
     settle(open, request, shortest, judge, found, plan);

@@ -10,6 +10,7 @@ constexpr double in_reach = 3;        ///< times the cheapest, by prediction: of
 constexpr double short_run = 0.02;    ///< [s]
 constexpr std::size_t most_timed = 10;
 constexpr double clearly = 0.85;      ///< below what chance makes of two equal times
+constexpr double by_chance = 5e-6;    ///< that two runs differ by, however short [s]
 
 }    // namespace
 
@@ -21,7 +22,7 @@ void time_cheapest(Search& search, Judge& judge) {
     double least = 0;
     for (std::size_t i = 0; i < std::min(found.size(), most_timed) && found[i].judgement.cpu_s <= most; ++i) {
         const double taken = judge.timed(found[i].document);
-        if (i > 0 && taken >= clearly * least) continue;
+        if (i > 0 && taken >= std::min(clearly * least, least - by_chance)) continue;
         best = i, least = taken;
     }
     std::rotate(found.begin(), found.begin() + std::ptrdiff_t(best), found.begin() + std::ptrdiff_t(best) + 1);

@@ -122,7 +122,7 @@ void Simulation::look(bool end) {
 
 void Simulation::advance_to(long target, const std::function<void(const Progress&)>& progress) {
     constexpr double slice_s = 0.1;
-    long done = std::lround(solver_->time() / summary_.dt), slice = 1;
+    long done = steps_done(), slice = 1;
     while (done < target && !summary_.diverged) {
         const double cpu = cpu_seconds(), wall = wall_seconds();
         const long taken = steps(std::min(slice, target - done));
@@ -137,18 +137,30 @@ void Simulation::advance_to(long target, const std::function<void(const Progress
     }
 }
 
-void Simulation::run(const std::function<void(const Progress&)>& progress) {
-    const double every = scene_.output.every;
-    const bool sampling = !probe_particles_.empty();
-    sample();
-    for (long done = 0, sample_index = 1; done < summary_.steps && !summary_.diverged;) {
-        long target = summary_.steps;
-        if (sampling) target = every > 0 ? long(std::ceil(double(sample_index++) * every / summary_.dt - 1e-9)) : done + 1;
-        target = std::clamp(target, done + 1, summary_.steps);
-        advance_to(target, progress);
-        done = target;
-        sample();
+long Simulation::steps_done() const { return std::lround(solver_->time() / summary_.dt); }
+
+/// The step after which the probes are read next; the last one in any case.
+long Simulation::next_sample(long done) const {
+    if (probe_particles_.empty()) return summary_.steps;
+    const double every = scene_.output.every / summary_.dt;
+    constexpr double rounding = 1e-9;
+    if (every <= 1) return done + 1;
+    return std::clamp(long(std::ceil((std::floor(double(done) / every + rounding) + 1) * every - rounding)), done + 1, summary_.steps);
+}
+
+void Simulation::run_to(long step, const std::function<void(const Progress&)>& progress) {
+    const long last = std::min(step, summary_.steps);
+    if (probes_.t.empty()) sample();
+    for (long done = steps_done(); done < last && !summary_.diverged;) {
+        const long due = next_sample(done);
+        done = std::min(due, last);
+        advance_to(done, progress);
+        if (done == due) sample();
     }
+}
+
+void Simulation::run(const std::function<void(const Progress&)>& progress) {
+    run_to(summary_.steps, progress);
     if (!summary_.diverged) look(true);
     summary_.t = solver_->time();
     summary_.last_good_t = sentinel_->last_good().t;
