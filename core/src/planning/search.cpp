@@ -111,16 +111,16 @@ Search search(const OpenCase& open, double target, double shortest, Judge& judge
     if (!all.empty())
         for (Choice& choice : choices(open)) left.push_back({.choice = std::move(choice), .in_any_order_to = several_media(open) ? judge.budget_s() / 1000 : 0, .last = {}});
     double best = std::numeric_limits<double>::infinity();
-    const double begin = cpu_seconds(), patience = judge.budget_s() / 4;
+    const double begin = cpu_seconds(), budget = judge.budget_s(), patience = budget / 4;
     while (!left.empty()) {
         const auto next_cost = [&](const Walk& walk) { return walk.cost_at(all[walk.next], open.dimension()); };
         const auto walk = std::ranges::min_element(left, {}, next_cost);    // what costs least is tried first, and sets the bound for the rest
         const double most = (judge.trusts_theory() || best < short_run ? worth_knowing : worth_running) * std::max(best, shortest_time), dx = all[walk->next];
         if (next_cost(*walk) > most) break;
-        if (!result.found.empty() && cpu_seconds() - begin > patience) {
-            result.cut_short = true;
-            break;
-        }
+        const double taken = cpu_seconds() - begin;    // theory's share, too
+        result.cut_short = !result.found.empty() && taken > patience;
+        result.out_of_budget = result.out_of_budget || taken > budget;
+        if (result.cut_short || taken > budget) break;
         if (!try_at(open, dx, target, shortest, most, best, *walk, judge, result)) {
             if (!result.found.empty()) best = std::min(best, result.found.back().judgement.cpu_s);
             left.erase(walk);
