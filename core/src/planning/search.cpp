@@ -44,7 +44,7 @@ struct Walk {
         double order = 2;
         if (last && judgement.ran) order = std::clamp(std::log(last->l2 / judgement.l2) / std::log(last_dx / dx), 0.8, 2.0);
         last_dx = dx, last_cpu_s = judgement.cpu_s;
-        if (judgement.ran && judgement.l2 < settled) no_better = judgement.l2 < 0.95 * least_l2 ? 0 : no_better + 1;
+        if (judgement.ran && judgement.l2 < settled && judgement.cpu_s >= in_any_order_to) no_better = judgement.l2 < 0.95 * least_l2 ? 0 : no_better + 1;
         least_l2 = std::min(least_l2, judgement.l2);
         if (judgement.cpu_s > best && judgement.l2 < settled && !of_second_order()) skip_above = dx * std::max(0.7, std::pow(target / judgement.l2, 1 / fitted_order));
         if (!of_second_order() || judgement.l2 >= settled || judgement.cpu_s < std::min(in_any_order_to, best)) return;
