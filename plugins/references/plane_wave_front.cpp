@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Plane waves that set out at t = 0 into a medium at rest:
-///   p = sum of A sin(phase) where phase = omega t - k . (x - origin) >= 0, and nothing beyond a front (phase < 0).
+///   p = sum of A swelling sin(phase) where phase = omega t - k . (x - origin) >= 0, and nothing beyond a front (phase < 0).
 struct PlaneWaveFront final : abi::Reference {
     void prepare(const abi::ReferenceScene& scene) override {
         if (scene.wave_count == 0)
@@ -31,7 +31,7 @@ private:
         for (int a = 0; a < points.dimension; ++a)
             phase -= wave.omega / medium.c0 * wave.direction[a] * (points.x[a][i] - wave.origin[a]);
         if (phase < 0) return;
-        const double p = wave.amplitude * std::sin(phase);
+        const double p = wave.pressure(phase);
         if (out.p) out.p[i] += p;
         for (int a = 0; a < points.dimension; ++a)
             if (out.u[a]) out.u[a][i] += wave.direction[a] * p / (medium.rho0 * medium.c0);

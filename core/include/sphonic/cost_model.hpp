@@ -16,6 +16,7 @@ struct UnitCost {
     double fixed = 0, per_neighbour = 0;    ///< [ns]
     double viscous = 0;                     ///< more per neighbour with Monaghan's viscosity [ns]
     double from_memory = 0;                 ///< [ns]
+    double call = 0;                        ///< of a call for rates, or of a grid's step, however few the particles are [ns]
 };
 
 /// What sets cost on a machine.

@@ -14,6 +14,8 @@ double available_memory();
 double available_cores();
 /// CPU time of the process, all threads [s].
 double cpu_seconds();
+/// What it takes to read that clock, by the quickest of some readings: of spans of microseconds it is a good part [s].
+double cpu_clock_cost();
 /// Monotonic wall clock [s].
 double wall_seconds();
 

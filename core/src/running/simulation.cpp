@@ -127,7 +127,7 @@ void Simulation::advance_to(long target, const std::function<void(const Progress
         const double cpu = cpu_seconds(), wall = wall_seconds();
         const long taken = steps(std::min(slice, target - done));
         const double spent = wall_seconds() - wall;
-        summary_.cpu_s += cpu_seconds() - cpu;
+        summary_.cpu_s += std::max(0.0, cpu_seconds() - cpu - cpu_clock_cost());
         summary_.wall_s += spent;
         done += taken;
         sentinel_->pace(summary_.wall_s / double(done));

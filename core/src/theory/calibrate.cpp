@@ -12,18 +12,21 @@
 namespace sphonic {
 namespace {
 
-/// One timing: a scene, and how much memory it takes.
+/// What a trial is made to tell: what its neighbours cost, what Monaghan's viscosity adds, what memory adds, or what a call costs.
+enum class Asked { neighbours, viscosity, memory, call };
+
+/// One timing: a scene, and what it tells.
 struct Trial {
     std::string tier;
     int dimension;
     double h_over_dx;
-    bool viscous = false, far = false;
+    Asked asked = Asked::neighbours;
     std::vector<std::string> set{};
 };
 
 struct Timing {
     Work work;
-    double ns;    ///< per particle-evaluation
+    double ns;    ///< of a step, per particle-evaluation
 };
 
 std::vector<std::string> settings_of(const std::string& tier) {
@@ -34,12 +37,13 @@ std::vector<std::string> settings_of(const std::string& tier) {
     return {};
 }
 
-/// Particles to a side: in the caches, or more than they hold.
+/// Particles to a side: in the caches, more than they hold, or so few that calls cost as much as particles.
 int side_of(const Trial& t, double cache) {
     constexpr double most = 80e6, neighbours[] = {0, 12, 20, 80};
-    constexpr int near[] = {0, 4096, 256, 40}, near_transforms = 512, near_list[] = {0, 2000, 72, 12}, near_moving[] = {0, 2000, 128, 20};
+    constexpr int near[] = {0, 4096, 256, 40}, near_transforms = 512, near_list[] = {0, 2000, 72, 12}, near_moving[] = {0, 2000, 128, 20}, few[] = {0, 64, 8, 4};
+    if (t.asked == Asked::call) return few[t.dimension];
     if (t.tier.starts_with("kspace")) return near_transforms;
-    if (!t.far) return (t.tier == "frozen" ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
+    if (t.asked != Asked::memory) return (t.tier == "frozen" ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
     const Work one{.tier = t.tier, .dimension = t.dimension, .particles = 1, .neighbours = neighbours[t.dimension]};
     return int(std::pow(std::min(2 * cache, most) / footprint(one), 1.0 / t.dimension));
 }
@@ -52,7 +56,7 @@ Case scene_of(const Trial& t, int side, Registry& registry) {
                   {"kernel", {{"type", "cubic_spline"}, {"h_over_dx", t.h_over_dx}}}, {"equations", "linear_acoustics"},
                   {"integrator", {{"type", "symplectic_euler"}, {"courant", 0.1}}}, {"until", 1e9}};
     if (whole) document["boundaries"] = Json::array({{{"type", "periodic"}, {"face", "all"}}});
-    if (t.viscous) document["viscosity"] = {{"type", "monaghan"}, {"alpha", 0.06}, {"beta", 0.5}};
+    if (t.asked == Asked::viscosity) document["viscosity"] = {{"type", "monaghan"}, {"alpha", 0.06}, {"beta", 0.5}};
     for (const std::string& assignment : settings_of(t.tier)) set_at(document, assignment);
     for (const std::string& assignment : t.set) set_at(document, assignment);
     Case scene = load_case(std::move(document), "calibration", registry);
@@ -85,7 +89,7 @@ Timing time_particles(const Trial& t, int side, const Case& scene) {
     System system(scene);
     constexpr double dt = 1e-9;
     system.initialise(dt);
-    Work work{.tier = t.tier, .dimension = t.dimension, .particles = double(system.particles()), .neighbours = system.neighbours_mean(), .viscous = t.viscous, .calls = 2};
+    Work work{.tier = t.tier, .dimension = t.dimension, .particles = double(system.particles()), .neighbours = system.neighbours_mean(), .viscous = t.asked == Asked::viscosity, .calls = 2};
     if (on_rows(t.tier)) work.row = side;
     long index = 0;
     const double ns = timed([&] { scene.integrator->step(system, {++index, double(index) * dt, dt}); });
@@ -101,17 +105,21 @@ Timing time_method(const Trial& t, const Case& scene) {
     return {work, ns / worth(work)};
 }
 
-/// Trials of one tier and dimension; they differ in neighbours, then in viscosity and in memory.
+/// Trials of one tier and dimension.
 std::vector<Trial> trials_of(const std::string& tier, int d) {
-    if (tier == "kspace") return {{tier, d, 1, false, false, {R"(/method={"type":"kspace"})", R"(/medium=[{"c0":1,"rho0":1},{"c0":2,"rho0":3,"region":"x > 100"}])"}}};
-    if (tier == "kspace_modes") return {{tier, d, 1, false, false, {R"(/method={"type":"kspace"})"}}};
+    using enum Asked;
+    if (tier.starts_with("kspace")) {
+        std::vector<std::string> set{R"(/method={"type":"kspace"})"};
+        if (tier == "kspace") set.push_back(R"(/medium=[{"c0":1,"rho0":1},{"c0":2,"rho0":3,"region":"x > 3"}])");
+        return {{tier, d, 1, neighbours, set}, {tier, d, 1, call, set}};
+    }
     const std::string fdtd = R"(/method={"type":"fdtd"})", fdtd4 = R"(/method={"type":"fdtd","order":4})";
-    if (tier == "fdtd") return {{tier, d, 1, false, false, {fdtd}}, {tier, d, 1, false, false, {fdtd4}}, {tier, d, 1, false, true, {fdtd}}};
+    if (tier == "fdtd") return {{tier, d, 1, neighbours, {fdtd}}, {tier, d, 1, neighbours, {fdtd4}}, {tier, d, 1, memory, {fdtd}}, {tier, d, 1, call, {fdtd}}};
     const double h = d == 1 ? 3.25 : 1.3;
-    std::vector<Trial> trials{{tier, d, 1}, {tier, d, h}, {tier, d, h, true}};
-    if (tier == "lattice_single") std::erase_if(trials, [](const Trial& t) { return t.viscous; });
+    std::vector<Trial> trials{{tier, d, 1}, {tier, d, h}, {tier, d, 1, call}};
+    if (tier != "lattice_single") trials.push_back({tier, d, h, viscosity});
     if (on_rows(tier)) trials.push_back({tier, d, d == 1 ? 2.0 : 1.7});
-    if (on_rows(tier) || tier == "frozen") trials.push_back({tier, d, h, false, true});
+    if (on_rows(tier) || tier == "frozen") trials.push_back({tier, d, h, memory});
     return trials;
 }
 
@@ -134,12 +142,14 @@ UnitCost line_through(const std::vector<Timing>& timings) {
 UnitCost unit_cost(const std::vector<Trial>& trials, const std::vector<Timing>& timings) {
     std::vector<Timing> plain;
     for (std::size_t i = 0; i < trials.size(); ++i)
-        if (!trials[i].viscous && !trials[i].far) plain.push_back(timings[i]);
+        if (trials[i].asked == Asked::neighbours) plain.push_back(timings[i]);
     UnitCost cost = line_through(plain);
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        const double n = timings[i].work.neighbours, more = std::max(0.0, timings[i].ns - cost.fixed - cost.per_neighbour * n);
-        if (trials[i].viscous) cost.viscous = more / n;
-        if (trials[i].far) cost.from_memory = trials[i].tier == "frozen" ? more / n : more;
+        const Work& work = timings[i].work;
+        const double n = work.neighbours, more = std::max(0.0, timings[i].ns - cost.fixed - cost.per_neighbour * n);
+        if (trials[i].asked == Asked::viscosity) cost.viscous = more / n;
+        if (trials[i].asked == Asked::memory) cost.from_memory = trials[i].tier == "frozen" ? more / n : more;
+        if (trials[i].asked == Asked::call) cost.call = more * worth(work) / work.calls;
     }
     return cost;
 }

@@ -8,8 +8,8 @@
 namespace sphonic {
 namespace {
 
-/// The ends of a row take the time of so many particles; a call for rates takes so long whatever the set [ns].
-constexpr double row_ends = 13, each_call = 150;
+/// The ends of a row take the time of so many particles.
+constexpr double row_ends = 13;
 
 /// fdtd of order 2 makes a step in one pass over the fields, unless bodies or sources of u or of rates act in its middle; then it takes
 /// 1.2 to 1.8 times as long (2-D of 128^2 to 2048^2, 3-D of 64^3 and 128^3 points). Layers pass over each field again: 1.6 to 2.3 times
@@ -59,7 +59,7 @@ double step_cost(const CostModel& costs, const Work& work) {
     const double cached = costs.cache / 4, outside = std::clamp(std::log(footprint(work) / cached) / std::log(costs.cache / cached), 0.0, 1.0);
     double each = unit->fixed + work.neighbours * (unit->per_neighbour + (work.viscous ? unit->viscous : 0));
     each += outside * unit->from_memory * (in_pairs(work.tier) ? work.neighbours : 1);
-    return each * worth(work) + each_call * work.calls;
+    return each * worth(work) + unit->call * work.calls;
 }
 
 double predicted_seconds(const CostModel& costs, const Case& scene, const Summary& prepared, bool viscous) {

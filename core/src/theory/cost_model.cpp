@@ -55,7 +55,7 @@ fs::path costs_file() {
 Json to_json(const CostModel& costs) {
     Json units = Json::object();
     for (const auto& [tier, c] : costs.units)
-        units[tier] = {{"fixed_ns", c.fixed}, {"per_neighbour_ns", c.per_neighbour}, {"viscous_ns", c.viscous}, {"from_memory_ns", c.from_memory}};
+        units[tier] = {{"fixed_ns", c.fixed}, {"per_neighbour_ns", c.per_neighbour}, {"viscous_ns", c.viscous}, {"from_memory_ns", c.from_memory}, {"call_ns", c.call}};
     return {{"machine", costs.machine}, {"commit", commit()}, {"cache_bytes", costs.cache}, {"units", units}};
 }
 
@@ -74,7 +74,7 @@ std::optional<CostModel> load_costs(const fs::path& file) try {
     CostModel costs{.machine = document.at("machine"), .cache = document.at("cache_bytes"), .units = {}};
     if (costs.machine != processor() || document.at("commit") != commit()) return std::nullopt;
     for (const auto& [tier, c] : document.at("units").items())
-        costs.units[tier] = {c.at("fixed_ns"), c.at("per_neighbour_ns"), c.at("viscous_ns"), c.at("from_memory_ns")};
+        costs.units[tier] = {c.at("fixed_ns"), c.at("per_neighbour_ns"), c.at("viscous_ns"), c.at("from_memory_ns"), c.at("call_ns")};
     return costs;
 } catch (const Json::exception&) {
     return std::nullopt;

@@ -92,7 +92,7 @@ std::vector<Complex> spectrum_of(const Case& scene, const abi::PlaneWave& wave, 
     std::vector<Complex> signal(std::size_t(n), Complex{});
     for (long i = 0; i < n; ++i) {
         const double t = period * double(i) / double(n), late = std::clamp((t / scene.until - 1.1) / 0.4, 0.0, 1.0);
-        signal[std::size_t(i)] = wave.amplitude * std::sin(wave.omega * (t - edge / scene.medium.c0)) * 0.5 * (1 + std::cos(pi * late)) / double(n);
+        signal[std::size_t(i)] = wave.pressure(wave.omega * (t - edge / scene.medium.c0)) * 0.5 * (1 + std::cos(pi * late)) / double(n);
     }
     signal[0] *= 0.5;    // the middle of a jump
     fourier(signal, {n, 1, 1}, -1);
@@ -122,7 +122,7 @@ public:
 
     double exact(double s) const {
         const double t = until_ - (s - edge_) / c0_;
-        return t < 0 ? 0 : wave_.amplitude * std::sin(wave_.omega * (t - edge_ / c0_));
+        return t < 0 ? 0 : wave_.pressure(wave_.omega * (t - edge_ / c0_));
     }
     /// What the run has wrong; nothing within the source.
     double error(double s) const {

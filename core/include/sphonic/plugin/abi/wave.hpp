@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include <sphonic/plugin/abi/state.hpp>
 
 namespace sphonic::abi {
@@ -16,12 +18,24 @@ struct AcousticField {
     double* u[3] = {nullptr, nullptr, nullptr};    ///< particle velocity [m/s]
 };
 
-/// A plane wave p = amplitude sin(omega t - k . (x - origin)), k = omega / c0 along `direction` (a unit vector).
+/// Height, 0 to 1, of a tone that swells by half a cosine over so many periods, at a phase [rad] from its beginning; silent before it.
+inline double swelling(double phase, double periods) {
+    constexpr double pi = 3.14159265358979323846;
+    const double end = 2 * pi * periods;
+    if (periods == 0 || phase >= end) return 1;
+    return phase <= 0 ? 0 : 0.5 - 0.5 * std::cos(pi * phase / end);
+}
+
+/// A plane wave p = amplitude sin(phase), phase = omega t - k . (x - origin), k = omega / c0 along `direction` (a unit vector).
 struct PlaneWave {
     double amplitude = 0;    ///< [Pa]
     double omega = 0;        ///< [rad/s]
     double direction[3] = {1, 0, 0};
     double origin[3] = {0, 0, 0};    ///< [m]
+    double swell = 0;                ///< periods behind the front over which it reaches its amplitude
+
+    /// [Pa]
+    double pressure(double phase) const { return amplitude * swelling(phase, swell) * std::sin(phase); }
 };
 
 }    // namespace sphonic::abi
