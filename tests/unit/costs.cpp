@@ -56,7 +56,7 @@ TEST_CASE("calibrated costs are kept for this machine, and only for it", "[cost]
 }
 
 TEST_CASE("there are costs of every tier", "[cost]") {
-    for (const char* tier : {"lattice", "frozen", "moving", "moving_densities", "fdtd", "kspace", "kspace_modes"}) {
+    for (const char* tier : {"lattice", "lattice_wide", "lattice_single", "lattice_single_wide", "frozen", "frozen_dissipation", "frozen_fitted", "moving", "moving_densities", "fdtd", "kspace", "kspace_modes"}) {
         INFO(tier);
         CHECK(reference_costs().find(tier, 3) != nullptr);
     }

@@ -41,9 +41,9 @@ struct Plan {
 };
 
 /// Fills all that a case leaves open, or marks "auto", of method, kernel, equations, integrator and /particles/dx with what costs
-/// least CPU time at an L2 error of at most the target, and drops axes along which nothing changes. The error is theory's where there
-/// is one, else a run's against the case's reference, else the difference from a run of half the spacing. An input error names what
-/// came nearest if nothing meets the target.
+/// least CPU time at an L2 error of at most the target, and drops axes along which nothing changes. The error is the larger one of two
+/// moments, the end and 0.93 of it: theory's where there is one, else a run's beside the case's reference, else beside a fine run, else a
+/// factor times the difference from a run of half the spacing. An input error names what came nearest if nothing meets the target.
 Plan make_plan(const Json& document, const std::filesystem::path& file, const PlanRequest& request, Registry& registry);
 
 /// What "accuracy" of a case asks for.

@@ -93,6 +93,14 @@ Json fitted_equations(double points, double support, bool cloud) {
     return {{"p", term("divergence", "u", "-rho0*c0^2")}, {"u", term("gradient", "p", "-1/rho0")}};
 }
 
+/// Whole numbers of spacings are counted along it.
+int shortest_axis(const OpenCase& open) {
+    int first = 0;
+    for (int a = 1; a < open.dimension(); ++a)
+        if (open.length(a) < open.length(first)) first = a;
+    return first;
+}
+
 /// The next whole number from n on that parts every closed axis into whole spacings; 0 if there is none near.
 long fitting(const OpenCase& open, int first, long n) {
     for (long tried = n; tried < n + 3000; ++tried) {
@@ -152,9 +160,7 @@ std::vector<Choice> choices(const OpenCase& open) {
 
 std::vector<double> spacings(const OpenCase& open, double coarsest, double most_particles) {
     if (!open.spacing) return {open.document["particles"]["dx"].get<double>()};
-    int first = 0;    // the shortest closed axis counts
-    for (int a = 1; a < open.dimension(); ++a)
-        if (open.length(a) < open.length(first)) first = a;
+    const int first = shortest_axis(open);
     double volume = 1;
     for (int a = 0; a < open.dimension(); ++a) volume *= open.length(a);
     std::vector<double> list;
@@ -167,6 +173,17 @@ std::vector<double> spacings(const OpenCase& open, double coarsest, double most_
         wanted = next_spacing(open) * double(n);
     }
     return list;
+}
+
+std::vector<double> spacings_between(const OpenCase& open, double coarser, double finer) {
+    constexpr std::size_t most = 3;
+    if (!open.spacing) return {};
+    const int first = shortest_axis(open);
+    std::vector<double> all, few;
+    const long end = std::lround(open.length(first) / finer);
+    for (long n = fitting(open, first, std::lround(open.length(first) / coarser) + 1); n > 0 && n < end; n = fitting(open, first, n + 1)) all.push_back(open.length(first) / double(n));
+    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) few.push_back(all[all.size() > most ? (i + 1) * all.size() / (most + 1) : i]);
+    return few;
 }
 
 }    // namespace sphonic

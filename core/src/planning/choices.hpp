@@ -25,5 +25,7 @@ std::vector<Choice> choices(const OpenCase& open);
 /// Spacings [m] from coarse to fine, by a tenth or a twentieth each, at which both ends of every closed axis lie on particles; of several media each
 /// with the next three. The case's own, if it decides.
 std::vector<double> spacings(const OpenCase& open, double coarsest, double most_particles);
+/// Those of the kind that lie between two of them, at most three, from coarse to fine.
+std::vector<double> spacings_between(const OpenCase& open, double coarser, double finer);
 
 }    // namespace sphonic

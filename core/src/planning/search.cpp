@@ -10,7 +10,7 @@ namespace sphonic {
 namespace {
 
 constexpr double most_particles = 4e6;
-constexpr double allowed = 0.97;          ///< of the target: predictions are good to a few percent
+constexpr double foretold = 0.97;         ///< of the target: predictions are good to a few percent
 constexpr double worth_knowing = 5;      ///< times the best's cost, by theory or by runs that are short
 constexpr double worth_running = 1.5;     ///< the same, of longer runs
 constexpr double short_run = 0.01;        ///< [s]
@@ -58,6 +58,8 @@ struct Walk {
     }
 };
 
+bool meets(const Judgement& judgement, double target) { return judgement.l2 <= (judgement.ran ? target : foretold * target); }
+
 /// The same in single precision, where that applies, is cheaper and still meets the target.
 std::optional<Found> in_single_precision(const OpenCase& open, const Found& found, double shortest, double target, Judge& judge) {
     if (!open.precision || found.document.value("/method/type"_json_pointer, "particles") != "particles") return {};
@@ -65,7 +67,7 @@ std::optional<Found> in_single_precision(const OpenCase& open, const Found& foun
     half.choice.single = true;
     half.document = half.choice.apply(open, half.dx, shortest);
     const auto judgement = judge.judge(half.document, found.judgement.cpu_s);
-    if (!judgement || judgement->l2 > allowed * target) return {};
+    if (!judgement || !meets(*judgement, target)) return {};
     half.judgement = *judgement;
     return half;
 }
@@ -89,10 +91,25 @@ bool try_at(const OpenCase& open, double dx, double target, double shortest, dou
     const Found found{walk.choice, dx, document, *judgement};
     if (!result.nearest || judgement->l2 < result.nearest->judgement.l2) result.nearest = found;
     walk.note(dx, *judgement, target, best);
-    if (judgement->l2 > allowed * target) return walk.no_better < most_no_better;
+    if (!meets(*judgement, target)) return walk.no_better < most_no_better;
     result.found.push_back(found);
     if (const auto half = in_single_precision(open, found, shortest, target, judge)) result.found.push_back(*half);
     return false;
+}
+
+/// The cheapest at the spacings between its own and the next coarser one.
+void refine(const OpenCase& open, const std::vector<double>& all, double target, double shortest, Judge& judge, Search& result) {
+    const Found best = result.found.front();
+    const auto coarser = std::ranges::find_if(all.rbegin(), all.rend(), [&](double dx) { return dx > best.dx * (1 + 1e-9); });
+    if (coarser == all.rend()) return;
+    for (const double dx : spacings_between(open, *coarser, best.dx)) {
+        Found found{best.choice, dx, best.choice.apply(open, dx, shortest), {}};
+        const auto judgement = judge.judge(found.document, best.judgement.cpu_s);
+        if (!judgement || !meets(*judgement, target)) continue;
+        found.judgement = *judgement;
+        result.found.insert(result.found.begin(), found);
+        return;
+    }
 }
 
 /// Speed of the fastest medium over that of the slowest: next to no sound may reach the one with the shortest waves.
@@ -132,6 +149,7 @@ Search search(const OpenCase& open, double target, double shortest, Judge& judge
         std::erase_if(left, [&](const Walk& one) { return std::ranges::any_of(left, [&](const Walk& other) { return one.outdone_by(other); }); });
     }
     std::ranges::sort(result.found, {}, [](const Found& f) { return f.judgement.cpu_s; });
+    if (!result.found.empty()) refine(open, all, target, shortest, judge, result);
     return result;
 }
 

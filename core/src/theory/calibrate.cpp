@@ -29,9 +29,12 @@ struct Timing {
     double ns;    ///< of a step, per particle-evaluation
 };
 
-std::vector<std::string> settings_of(const std::string& tier) {
-    if (tier == "lattice_single") return {"/precision=single"};
-    if (tier == "frozen") return {"/particles/jitter=0.2"};
+std::vector<std::string> settings_of(const std::string& tier, double h_over_dx) {
+    const std::string jitter = "/particles/jitter=0.2", form = R"("form":{"type":"band_fitted","points_per_wavelength":8,"cloud_support":)" + Json(2 * h_over_dx).dump() + "}";
+    if (tier.starts_with("lattice_single")) return {"/precision=single"};
+    if (tier == "frozen") return {jitter};
+    if (tier == "frozen_dissipation") return {jitter, "/equations=corrected_acoustics", R"(/dissipation={"type":"fourth_order","alpha":0.2})"};
+    if (tier == "frozen_fitted") return {jitter, R"(/equations={"p":[{"divergence":"u","times":"-rho0*c0^2",)" + form + R"(}],"u":[{"gradient":"p","times":"-1/rho0",)" + form + "}]}"};
     if (tier == "moving") return {"/particles/motion=lagrangian"};
     if (tier == "moving_densities") return {"/particles/motion=lagrangian", "/equations=lagrangian_acoustics"};
     return {};
@@ -40,16 +43,16 @@ std::vector<std::string> settings_of(const std::string& tier) {
 /// Particles to a side: in the caches, more than they hold, or so few that calls cost as much as particles.
 int side_of(const Trial& t, double cache) {
     constexpr double most = 80e6, neighbours[] = {0, 12, 20, 80};
-    constexpr int near[] = {0, 4096, 256, 40}, near_transforms = 512, near_list[] = {0, 2000, 72, 12}, near_moving[] = {0, 2000, 128, 20}, few[] = {0, 64, 8, 4};
+    constexpr int near[] = {0, 4096, 256, 40}, near_transforms[] = {0, 4096, 512, 64}, near_list[] = {0, 2000, 72, 12}, near_moving[] = {0, 2000, 128, 20}, few[] = {0, 64, 8, 4};
     if (t.asked == Asked::call) return few[t.dimension];
-    if (t.tier.starts_with("kspace")) return near_transforms;
-    if (t.asked != Asked::memory) return (t.tier == "frozen" ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
+    if (t.tier.starts_with("kspace")) return near_transforms[t.dimension];
+    if (t.asked != Asked::memory) return (t.tier.starts_with("frozen") ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
     const Work one{.tier = t.tier, .dimension = t.dimension, .particles = 1, .neighbours = neighbours[t.dimension]};
     return int(std::pow(std::min(2 * cache, most) / footprint(one), 1.0 / t.dimension));
 }
 
 Case scene_of(const Trial& t, int side, Registry& registry) {
-    const bool whole = t.tier.starts_with("kspace");
+    const bool whole = t.tier.starts_with("kspace") || t.tier == "frozen_fitted";
     const std::vector<int> lower(std::size_t(t.dimension), 0), upper(std::size_t(t.dimension), whole ? side : side - 1);
     Json document{{"dimension", t.dimension}, {"medium", {{"c0", 1}, {"rho0", 1}}},
                   {"particles", {{"type", "lattice"}, {"dx", 1}, {"lower", lower}, {"upper", upper}}},
@@ -57,7 +60,7 @@ Case scene_of(const Trial& t, int side, Registry& registry) {
                   {"integrator", {{"type", "symplectic_euler"}, {"courant", 0.1}}}, {"until", 1e9}};
     if (whole) document["boundaries"] = Json::array({{{"type", "periodic"}, {"face", "all"}}});
     if (t.asked == Asked::viscosity) document["viscosity"] = {{"type", "monaghan"}, {"alpha", 0.06}, {"beta", 0.5}};
-    for (const std::string& assignment : settings_of(t.tier)) set_at(document, assignment);
+    for (const std::string& assignment : settings_of(t.tier, t.h_over_dx)) set_at(document, assignment);
     for (const std::string& assignment : t.set) set_at(document, assignment);
     Case scene = load_case(std::move(document), "calibration", registry);
     scene.threads = 1;
@@ -115,6 +118,8 @@ std::vector<Trial> trials_of(const std::string& tier, int d) {
     }
     const std::string fdtd = R"(/method={"type":"fdtd"})", fdtd4 = R"(/method={"type":"fdtd","order":4})";
     if (tier == "fdtd") return {{tier, d, 1, neighbours, {fdtd}}, {tier, d, 1, neighbours, {fdtd4}}, {tier, d, 1, memory, {fdtd}}, {tier, d, 1, call, {fdtd}}};
+    if (tier.ends_with("_wide")) return {{tier, d, 2.2}, {tier, d, 2.8}};
+    if (tier == "frozen_dissipation" || tier == "frozen_fitted") return {{tier, d, 1.2}, {tier, d, 1.6}};
     const double h = d == 1 ? 3.25 : 1.3;
     std::vector<Trial> trials{{tier, d, 1}, {tier, d, h}, {tier, d, 1, call}};
     if (tier != "lattice_single") trials.push_back({tier, d, h, viscosity});
@@ -148,7 +153,7 @@ UnitCost unit_cost(const std::vector<Trial>& trials, const std::vector<Timing>& 
         const Work& work = timings[i].work;
         const double n = work.neighbours, more = std::max(0.0, timings[i].ns - cost.fixed - cost.per_neighbour * n);
         if (trials[i].asked == Asked::viscosity) cost.viscous = more / n;
-        if (trials[i].asked == Asked::memory) cost.from_memory = trials[i].tier == "frozen" ? more / n : more;
+        if (trials[i].asked == Asked::memory) cost.from_memory = trials[i].tier.starts_with("frozen") ? more / n : more;
         if (trials[i].asked == Asked::call) cost.call = more * worth(work) / work.calls;
     }
     return cost;
@@ -159,9 +164,10 @@ UnitCost unit_cost(const std::vector<Trial>& trials, const std::vector<Timing>& 
 CostModel calibrate(Registry& registry, const std::function<void(double)>& progress) {
     CostModel costs{.machine = processor(), .cache = last_cache(), .units = {}};
     std::vector<std::vector<Trial>> all;
-    for (const char* tier : {"lattice", "lattice_single", "frozen", "moving", "moving_densities", "fdtd"})
+    for (const char* tier : {"lattice", "lattice_single", "frozen", "frozen_dissipation", "frozen_fitted", "moving", "moving_densities", "fdtd", "kspace", "kspace_modes"})
         for (const int d : {1, 2, 3}) all.push_back(trials_of(tier, d));
-    for (const char* tier : {"kspace", "kspace_modes"}) all.push_back(trials_of(tier, 2));
+    for (const char* tier : {"lattice_wide", "lattice_single_wide"})
+        for (const int d : {2, 3}) all.push_back(trials_of(tier, d));
     for (std::size_t k = 0; k < all.size(); ++k) {
         std::vector<Timing> timings;
         for (const Trial& t : all[k]) {

@@ -4,52 +4,50 @@
 #include <cmath>
 
 #include "mode_system.hpp"
+#include "passes.hpp"
 
 namespace sphonic {
 namespace {
 
-/// The ends of a row take the time of so many particles.
-constexpr double row_ends = 13;
+/// The ends of a row take the time of so many particles, and an interface across it of so many; in single precision a vector holds twice as many.
+constexpr double row_ends = 20, across_interface = 230;
 
-/// fdtd of order 2 makes a step in one pass over the fields, unless bodies or sources of u or of rates act in its middle; then it takes
-/// 1.2 to 1.8 times as long (2-D of 128^2 to 2048^2, 3-D of 64^3 and 128^3 points). Layers pass over each field again: 1.6 to 2.3 times
-/// as long in 2-D, 3 to 3.7 in 3-D, where they take a good part of the box.
-constexpr double apart = 1.5;
-double with_layers(int dimension) { return std::max(apart, double(dimension)); }
+/// The loop about the steps takes so long to begin, and so long between samples of a run's output [ns].
+constexpr double to_begin = 2000, each_sample = 100;
 
 /// Of what could ideally be saved where particles sleep.
 constexpr double saving = 0.8;
 
 /// Of what a pair costs, what every call for a rate pays, however few equations it evaluates.
-double geometry_share(const std::string& tier) { return tier.starts_with("moving") ? 0.4 : tier == "frozen" ? 0.1 : 0; }
+double geometry_share(const std::string& tier) { return tier.starts_with("moving") ? 0.4 : tier.starts_with("frozen") ? 0.1 : 0; }
 
-bool in_pairs(const std::string& tier) { return tier == "frozen"; }
+bool in_pairs(const std::string& tier) { return tier.starts_with("frozen"); }
 
-/// How many times the cost of a step in one pass a step takes.
-double passes(const Case& scene, const Summary& prepared) {
-    if (prepared.tier != "fdtd" || prepared.neighbours_mean > 2 * scene.box.dimension) return 1;
-    const auto damps = [&](const auto& boundary) { return boundary->damping(0, scene.medium) > 0; };
-    const auto parts = [](const SourceUse& use) { return use.source->action().adds || use.source->action().sets_velocity; };
-    if (std::ranges::any_of(scene.boundaries, damps)) return with_layers(scene.box.dimension);
-    return std::ranges::any_of(scene.sources, parts) || !scene.obstacles.empty() ? apart : 1;
-}
+/// The most neighbours of a lattice whose rows slide: those less than four spacings away.
+double most_sliding(int dimension) { return dimension == 2 ? 44 : 250; }
 
 }    // namespace
 
-std::string cost_tier(const std::string& tier, const Case& scene) {
-    if (scene.precision == Precision::single) return "lattice_single";
-    return tier == "moving" && scene.equations.density >= 0 ? "moving_densities" : tier;
+std::string cost_tier(const Case& scene, const std::string& tier, double neighbours) {
+    const int d = scene.box.dimension;
+    const auto fitted = [](const Variable& v) { return std::ranges::any_of(v.terms, [](const Term& term) { return !term.fitted.empty(); }); };
+    if (tier == "frozen") return scene.equations.dissipate() ? "frozen_dissipation" : std::ranges::any_of(scene.equations.variables, fitted) ? "frozen_fitted" : tier;
+    if (tier == "moving") return scene.equations.density >= 0 ? "moving_densities" : tier;
+    if (!on_rows(tier)) return tier;
+    const std::string rows = scene.precision == Precision::single ? "lattice_single" : "lattice";
+    return d > 1 && neighbours > most_sliding(d) ? rows + "_wide" : rows;
 }
 
 bool on_rows(const std::string& tier) { return tier.starts_with("lattice"); }
 
 double footprint(const Work& work) {
-    const double fields = (work.tier == "lattice_single" ? 4.0 : 8.0) * (1 + work.dimension);
+    const double fields = (work.tier.starts_with("lattice_single") ? 4.0 : 8.0) * (1 + work.dimension);
     return work.particles * (fields + (in_pairs(work.tier) ? work.neighbours * (4 + 8.0 * work.dimension) : 0));
 }
 
 double worth(const Work& work) {
-    const double geometry = geometry_share(work.tier), ends = on_rows(work.tier) ? 1 + row_ends / work.row : 1;
+    const double width = work.tier.starts_with("lattice_single") ? 1.5 : 1, geometry = geometry_share(work.tier);
+    const double ends = on_rows(work.tier) ? 1 + (width * row_ends + across_interface * work.interfaces) / work.row : 1;
     return ends * work.particles * ((1 - geometry) * work.evaluations + geometry * work.calls);
 }
 
@@ -63,8 +61,9 @@ double step_cost(const CostModel& costs, const Work& work) {
 }
 
 double predicted_seconds(const CostModel& costs, const Case& scene, const Summary& prepared, bool viscous) {
-    Work work{.tier = cost_tier(prepared.tier, scene), .dimension = scene.box.dimension, .particles = double(prepared.particles), .viscous = viscous};
+    Work work{.tier = cost_tier(scene, prepared.tier, prepared.neighbours_mean), .dimension = scene.box.dimension, .particles = double(prepared.particles), .viscous = viscous};
     const double length = scene.box.upper[0] - scene.box.lower[0];
+    work.interfaces = double(scene.media->list().size()) - 1;
     if (on_rows(work.tier)) work.row = std::max(1.0, std::round(length / scene.box.dx) + (scene.box.periodic[0] ? 0 : 1));
     if (!prepared.tier.starts_with("kspace")) work.neighbours = prepared.neighbours_mean;
     if (scene.method->meshfree()) {
@@ -74,9 +73,11 @@ double predicted_seconds(const CostModel& costs, const Case& scene, const Summar
         mode.one_step_map(*scene.integrator, prepared.dt);
         work.evaluations = mode.evaluations(), work.calls = mode.rate_calls();
     }
+    const double every = scene.output.every, samples = every > 0 ? std::min(double(prepared.steps), scene.until / every) : 0;
     const double nominal = work.particles * double(prepared.steps), ideal = prepared.ideal_particle_steps;
     const double asleep = ideal >= 0 ? saving * std::max(0.0, 1 - ideal / nominal) : 0;
-    return 1e-9 * step_cost(costs, work) * double(prepared.steps) * (1 - asleep) * passes(scene, prepared);
+    const double step = transform_factor(scene, work.tier) * step_cost(costs, work) + passes(costs, scene, prepared) * work.particles;
+    return 1e-9 * (to_begin + each_sample * samples + step * double(prepared.steps) * (1 - asleep));
 }
 
 }    // namespace sphonic

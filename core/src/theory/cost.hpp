@@ -12,6 +12,7 @@ struct Work {
     int dimension = 1;
     double particles = 0, neighbours = 0;
     double row = 1e9;            ///< particles to a row of a lattice
+    double interfaces = 0;       ///< between media, across its rows
     bool viscous = false;
     double evaluations = 1, calls = 1;    ///< in a step: of all equations together, and calls for the rate of some
 };
@@ -23,8 +24,8 @@ double worth(const Work& work);
 /// Bytes that a step passes through.
 double footprint(const Work& work);
 
-/// The name of a set's tier in cost models.
-std::string cost_tier(const std::string& tier, const Case& scene);
+/// The name of a set's tier in cost models, where what its equations ask for makes a difference.
+std::string cost_tier(const Case& scene, const std::string& tier, double neighbours);
 
 /// Is a set of this tier stepped along the rows of a lattice?
 bool on_rows(const std::string& tier);

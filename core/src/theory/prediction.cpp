@@ -1,5 +1,6 @@
 #include <sphonic/prediction.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <sphonic/json.hpp>
@@ -16,6 +17,11 @@ namespace sphonic {
 namespace {
 
 std::string percent(double x) { return shown(100 * x, 2) + " %"; }
+
+/// Does all sound come from sources that send plane waves, with no body in its way?
+bool fronts_only(const Case& scene) {
+    return scene.obstacles.empty() && scene.initial.empty() && std::ranges::all_of(scene.sources, [](const SourceUse& use) { return use.source->wave(); });
+}
 
 /// Sources that send a plane wave.
 std::vector<const SourceUse*> waves_of(const Case& scene) {
@@ -35,7 +41,7 @@ std::string stalled_remedy(const Case& scene) {
 
 void predict_waves(const Case& scene, const Summary& prepared, Prediction& out) {
     const auto waves = waves_of(scene);
-    if (waves.empty()) return;
+    if (waves.empty() || !fronts_only(scene)) return;
     out.l2 = fronts_error(scene, waves, prepared.dt);
     if (!out.l2) {
         out.basis = "l2: not foreseen, the sources send too many periods; ";
