@@ -34,6 +34,18 @@ TEST_CASE("walls of obstacles agree between kept weights and those computed anew
             }
 }
 
+TEST_CASE("on a lattice's sites, whose rows share their weights, sound at obstacles is the same", "[tiers][obstacle]") {
+    for (const int d : {2, 3})
+        for (const auto& equations : {forms("corrected", "corrected_adjoint"), forms("corrected", "corrected"), forms("difference", "sum")}) {
+            const std::string text = cavity(d, "rigid", d == 3 ? 6 : 16, click, 0.2);
+            std::vector<std::string> set{equations, "/kernel/h_over_dx=1", "/integrator/courant=0.3"};
+            const Profile kept = after(text, set);
+            set.push_back("/particles/neighbours=moving");
+            INFO(d << "-D, " << equations);
+            CHECK(largest_difference(kept, after(text, set)) < 1e-10);
+        }
+}
+
 TEST_CASE("sound at obstacles does not depend on the number of threads", "[tiers][obstacle]") {
     const std::string text = cavity(2, "soft", 50, click, 0.05);
     Case one = scene(text), three = scene(text);

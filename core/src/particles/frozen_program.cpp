@@ -3,6 +3,7 @@
 
 #include "frozen_dissipation.hpp"
 #include "frozen_viscosity.hpp"
+#include "lanes.hpp"
 #include "pair_rows.hpp"
 #include "parallel.hpp"
 #include "stencil.hpp"
@@ -26,11 +27,14 @@ public:
 
     void apply(const Evaluation& e, long begin, long end) const {
         switch (set_.scene.box.dimension) {
-            case 1: return apply_in<1>(e, begin, end);
-            case 2: return apply_in<2>(e, begin, end);
-            default: return apply_in<3>(e, begin, end);
+            case 1: return apply_where<1>(e, begin, end);
+            case 2: return apply_where<2>(e, begin, end);
+            default: return apply_where<3>(e, begin, end);
         }
     }
+
+    /// Do rows share their weights?
+    bool runs() const { return !weights_.runs.empty() && factors_.empty() && !set_.media.several(); }
 
 private:
     const PairSet& set_;
@@ -41,6 +45,44 @@ private:
     std::vector<double> coefficient_;    ///< by medium
     double own_ = 1, other_ = 1;
     int operand_;
+
+    template <int D>
+    void apply_where(const Evaluation& e, long begin, long end) const {
+        if (!runs()) return apply_in<D>(e, begin, end);
+        over_runs(weights_.runs, begin, end, [&](long first, long from, long to) { apply_run<D>(e, first, from, to); },
+                  [&](long from, long to) { apply_in<D>(e, from, to); });
+    }
+
+    template <int D>
+    void apply_run(const Evaluation& e, long first, long begin, long end) const {
+        const auto in_vectors = [&]<int N>(std::integral_constant<int, N>) {
+            for (; begin + N * lanes <= end; begin += N * lanes) gradient_ ? apply_vectors<D, N, true>(e, first, begin) : apply_vectors<D, N, false>(e, first, begin);
+        };
+        in_vectors(std::integral_constant<int, 4>());
+        in_vectors(std::integral_constant<int, 1>());
+        apply_in<D>(e, begin, end);
+    }
+
+    /// For N vectors of particles from i on, by the row of the first of their run.
+    template <int D, int N, bool gradient>
+    void apply_vectors(const Evaluation& e, long first, long i) const {
+        constexpr int sums = gradient ? D : 1;
+        const std::int64_t begin = set_.list.start()[std::size_t(first)], end = set_.list.start()[std::size_t(first) + 1];
+        const std::int32_t* j = set_.list.neighbour().data();
+        Lane sum[sums][N] = {};
+        const auto add = [&](const auto& weight, std::int64_t k, double factor, long from) {
+            for (int a = 0; a < D; ++a)
+                for (int v = 0; v < N; ++v) sum[gradient ? a : 0][v] += factor * weight[a].data()[k] * load(e.state[operand_ + (gradient ? 0 : a)] + from + v * lanes);
+        };
+        add(weights_.own, first, own_, i);
+        for (std::int64_t k = begin; k < end; ++k) add(weights_.other, k, other_, i + (j[k] - first));
+        const double scale = e.scale * coefficient_[0];
+        for (int a = 0; a < sums; ++a)
+            for (int v = 0; v < N; ++v) {
+                double* out = e.out[target_[std::size_t(a)]] + i + v * lanes;
+                store(out, (e.assign && first_ ? Lane{} : load(out)) + scale * sum[a][v]);
+            }
+    }
 
     template <int D>
     void apply_in(const Evaluation& e, long begin, long end) const {
@@ -134,7 +176,7 @@ private:
         if (e.assign)
             for (const int c : still_) std::fill_n(e.out[c], set_.layout.size, 0.0);
         for (FrozenViscosity& viscosity : viscosities_) viscosity.fill(e);
-        constexpr long few = 32;    // whose weights stay in the first-level cache from term to term
+        const long few = std::ranges::all_of(derivatives_, &FrozenDerivative::runs) ? 1024 : 32;    // whose weights stay in the first-level cache from term to term, or that share them
         in_blocks(set_.threads, set_.layout.particles(), [&](long block, long end_of_block) {
             for (long begin = block; begin < end_of_block; begin += few) {
                 const long end = std::min(begin + few, end_of_block);

@@ -51,6 +51,7 @@ FrozenWeights FrozenWeightStore::sum_rows(const CloudWeights& fitted) const {
             for (std::int64_t k = start[std::size_t(i)]; k < start[std::size_t(i) + 1]; ++k)
                 for (int a = 0; a < set_.scene.box.dimension; ++a) w.own[a].data()[i] += w.other[a].data()[k] = fitted.gradient[a].data()[k];
     });
+    w.runs = runs_of_rows(set_.list, set_.layout.particles(), w.own, w.other);
     return w;
 }
 
@@ -81,6 +82,7 @@ FrozenWeights FrozenWeightStore::weigh(int kernel, abi::Correction correction, c
         for (long i = begin; i < end; ++i)
             for (std::int64_t k = start[std::size_t(i)]; k < start[std::size_t(i) + 1]; ++k) add_pair(i, k);
     });
+    w.runs = runs_of_rows(set_.list, set_.layout.particles(), w.own, w.other);
     return w;
 }
 

@@ -4,6 +4,7 @@
 
 #include "cloud_weights.hpp"
 #include "pair_set.hpp"
+#include "row_runs.hpp"
 #include "stencil.hpp"
 
 namespace sphonic {
@@ -14,6 +15,7 @@ namespace sphonic {
 struct FrozenWeights {
     Array own[3];      ///< by axis and particle [1/m]
     Array other[3];    ///< by axis and pair [1/m]
+    std::vector<RowRun> runs{};
 };
 
 /// The weights of a set, computed when first asked for and shared by all terms that can.

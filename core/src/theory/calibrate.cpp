@@ -33,6 +33,7 @@ std::vector<std::string> settings_of(const std::string& tier, double h_over_dx) 
     const std::string jitter = "/particles/jitter=0.2", form = R"("form":{"type":"band_fitted","points_per_wavelength":8,"cloud_support":)" + Json(2 * h_over_dx).dump() + "}";
     if (tier.starts_with("lattice_single")) return {"/precision=single"};
     if (tier == "frozen") return {jitter};
+    if (tier == "frozen_runs") return {"/particles/neighbours=frozen"};
     if (tier == "frozen_dissipation") return {jitter, "/equations=corrected_acoustics", R"(/dissipation={"type":"fourth_order","alpha":0.2})"};
     if (tier == "frozen_fitted") return {jitter, R"(/equations={"p":[{"divergence":"u","times":"-rho0*c0^2",)" + form + R"(}],"u":[{"gradient":"p","times":"-1/rho0",)" + form + "}]}"};
     if (tier == "moving") return {"/particles/motion=lagrangian"};
@@ -46,7 +47,7 @@ int side_of(const Trial& t, double cache) {
     constexpr int near[] = {0, 4096, 256, 40}, near_transforms[] = {0, 4096, 512, 64}, near_list[] = {0, 2000, 72, 12}, near_moving[] = {0, 2000, 128, 20}, few[] = {0, 64, 8, 4};
     if (t.asked == Asked::call) return few[t.dimension];
     if (t.tier.starts_with("kspace")) return near_transforms[t.dimension];
-    if (t.asked != Asked::memory) return (t.tier.starts_with("frozen") ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
+    if (t.asked != Asked::memory) return (t.tier.starts_with("frozen") && t.tier != "frozen_runs" ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
     const Work one{.tier = t.tier, .dimension = t.dimension, .particles = 1, .neighbours = neighbours[t.dimension]};
     return int(std::pow(std::min(2 * cache, most) / footprint(one), 1.0 / t.dimension));
 }
@@ -99,11 +100,11 @@ Timing time_particles(const Trial& t, int side, const Case& scene) {
     return {work, ns / worth(work)};
 }
 
-Timing time_method(const Trial& t, const Case& scene) {
+Timing time_method(const Trial& t, int side, const Case& scene) {
     Simulation simulation(scene);
     const Summary& s = simulation.summary();
     Work work{.tier = t.tier, .dimension = t.dimension, .particles = double(s.particles)};
-    if (t.tier == "fdtd") work.neighbours = s.neighbours_mean;
+    if (t.tier == "fdtd") work.neighbours = s.neighbours_mean, work.row = side;
     const double ns = timed([&] { simulation.solver().step(); });
     return {work, ns / worth(work)};
 }
@@ -122,9 +123,9 @@ std::vector<Trial> trials_of(const std::string& tier, int d) {
     if (tier == "frozen_dissipation" || tier == "frozen_fitted") return {{tier, d, 1.2}, {tier, d, 1.6}};
     const double h = d == 1 ? 3.25 : 1.3;
     std::vector<Trial> trials{{tier, d, 1}, {tier, d, h}, {tier, d, 1, call}};
-    if (tier != "lattice_single") trials.push_back({tier, d, h, viscosity});
-    if (on_rows(tier)) trials.push_back({tier, d, d == 1 ? 2.0 : 1.7});
-    if (on_rows(tier) || tier == "frozen") trials.push_back({tier, d, h, memory});
+    if (tier != "lattice_single" && tier != "frozen_runs") trials.push_back({tier, d, h, viscosity});
+    if (tier.starts_with("lattice")) trials.push_back({tier, d, d == 1 ? 2.0 : 1.7});
+    if (tier.starts_with("lattice") || tier == "frozen") trials.push_back({tier, d, h, memory});
     return trials;
 }
 
@@ -164,7 +165,7 @@ UnitCost unit_cost(const std::vector<Trial>& trials, const std::vector<Timing>& 
 CostModel calibrate(Registry& registry, const std::function<void(double)>& progress) {
     CostModel costs{.machine = processor(), .cache = last_cache(), .units = {}};
     std::vector<std::vector<Trial>> all;
-    for (const char* tier : {"lattice", "lattice_single", "frozen", "frozen_dissipation", "frozen_fitted", "moving", "moving_densities", "fdtd", "kspace", "kspace_modes"})
+    for (const char* tier : {"lattice", "lattice_single", "frozen", "frozen_runs", "frozen_dissipation", "frozen_fitted", "moving", "moving_densities", "fdtd", "kspace", "kspace_modes"})
         for (const int d : {1, 2, 3}) all.push_back(trials_of(tier, d));
     for (const char* tier : {"lattice_wide", "lattice_single_wide"})
         for (const int d : {2, 3}) all.push_back(trials_of(tier, d));
@@ -173,7 +174,7 @@ CostModel calibrate(Registry& registry, const std::function<void(double)>& progr
         for (const Trial& t : all[k]) {
             const int side = side_of(t, costs.cache);
             const Case scene = scene_of(t, side, registry);
-            timings.push_back(!scene.method->meshfree()                      ? time_method(t, scene)
+            timings.push_back(!scene.method->meshfree()                      ? time_method(t, side, scene)
                               : scene.precision == Precision::single ? time_particles<SingleSystem>(t, side, scene)
                                                                      : time_particles<ParticleSystem>(t, side, scene));
         }

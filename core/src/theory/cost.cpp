@@ -9,8 +9,9 @@
 namespace sphonic {
 namespace {
 
-/// The ends of a row take the time of so many particles, and an interface across it of so many; in single precision a vector holds twice as many.
-constexpr double row_ends = 20, across_interface = 230;
+/// The ends of a row take the time of so many particles, on grids of so many points, and an interface across a lattice's row of so many; in
+/// single precision a vector holds twice as many.
+constexpr double row_ends = 30, grid_ends = 15, across_interface = 230;
 
 /// The loop about the steps takes so long to begin, and so long between samples of a run's output [ns].
 constexpr double to_begin = 2000, each_sample = 100;
@@ -18,10 +19,10 @@ constexpr double to_begin = 2000, each_sample = 100;
 /// Of what could ideally be saved where particles sleep.
 constexpr double saving = 0.8;
 
-/// Of what a pair costs, what every call for a rate pays, however few equations it evaluates.
-double geometry_share(const std::string& tier) { return tier.starts_with("moving") ? 0.4 : tier.starts_with("frozen") ? 0.1 : 0; }
+bool in_pairs(const std::string& tier) { return tier.starts_with("frozen") && tier != "frozen_runs"; }
 
-bool in_pairs(const std::string& tier) { return tier.starts_with("frozen"); }
+/// Of what a pair costs, what every call for a rate pays, however few equations it evaluates.
+double geometry_share(const std::string& tier) { return tier.starts_with("moving") ? 0.4 : in_pairs(tier) ? 0.1 : 0; }
 
 /// The most neighbours of a lattice whose rows slide: those less than four spacings away.
 double most_sliding(int dimension) { return dimension == 2 ? 44 : 250; }
@@ -31,14 +32,15 @@ double most_sliding(int dimension) { return dimension == 2 ? 44 : 250; }
 std::string cost_tier(const Case& scene, const std::string& tier, double neighbours) {
     const int d = scene.box.dimension;
     const auto fitted = [](const Variable& v) { return std::ranges::any_of(v.terms, [](const Term& term) { return !term.fitted.empty(); }); };
-    if (tier == "frozen") return scene.equations.dissipate() ? "frozen_dissipation" : std::ranges::any_of(scene.equations.variables, fitted) ? "frozen_fitted" : tier;
+    const bool on_sites = scene.arrangement->regular() && scene.jitter == 0 && !scene.media->several() && !is_viscous(scene);    // whose rows share their weights
+    if (tier == "frozen") return scene.equations.dissipate() ? "frozen_dissipation" : on_sites ? "frozen_runs" : std::ranges::any_of(scene.equations.variables, fitted) ? "frozen_fitted" : tier;
     if (tier == "moving") return scene.equations.density >= 0 ? "moving_densities" : tier;
-    if (!on_rows(tier)) return tier;
+    if (!tier.starts_with("lattice")) return tier;
     const std::string rows = scene.precision == Precision::single ? "lattice_single" : "lattice";
     return d > 1 && neighbours > most_sliding(d) ? rows + "_wide" : rows;
 }
 
-bool on_rows(const std::string& tier) { return tier.starts_with("lattice"); }
+bool on_rows(const std::string& tier) { return tier.starts_with("lattice") || tier == "frozen_runs" || tier == "fdtd"; }
 
 double footprint(const Work& work) {
     const double fields = (work.tier.starts_with("lattice_single") ? 4.0 : 8.0) * (1 + work.dimension);
@@ -47,7 +49,7 @@ double footprint(const Work& work) {
 
 double worth(const Work& work) {
     const double width = work.tier.starts_with("lattice_single") ? 1.5 : 1, geometry = geometry_share(work.tier);
-    const double ends = on_rows(work.tier) ? 1 + (width * row_ends + across_interface * work.interfaces) / work.row : 1;
+    const double more = work.tier == "fdtd" ? grid_ends : width * row_ends + across_interface * work.interfaces, ends = on_rows(work.tier) ? 1 + more / work.row : 1;
     return ends * work.particles * ((1 - geometry) * work.evaluations + geometry * work.calls);
 }
 

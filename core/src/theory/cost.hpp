@@ -27,7 +27,7 @@ double footprint(const Work& work);
 /// The name of a set's tier in cost models, where what its equations ask for makes a difference.
 std::string cost_tier(const Case& scene, const std::string& tier, double neighbours);
 
-/// Is a set of this tier stepped along the rows of a lattice?
+/// Is a set of this tier stepped along the rows of a lattice or a grid?
 bool on_rows(const std::string& tier);
 
 /// CPU time of a whole run [s]; `prepared` as for predict().
