@@ -13,6 +13,9 @@ namespace {
 /// single precision a vector holds twice as many.
 constexpr double row_ends = 30, grid_ends = 15, across_interface = 230;
 
+/// Plane grids of finite differences are bound by memory as soon as a core's own cache does not hold them [bytes].
+constexpr double second_level = 1e6;
+
 /// The loop about the steps takes so long to begin, and so long between samples of a run's output [ns].
 constexpr double to_begin = 2000, each_sample = 100;
 
@@ -56,7 +59,7 @@ double worth(const Work& work) {
 double step_cost(const CostModel& costs, const Work& work) {
     const UnitCost* unit = costs.find(work.tier, work.dimension);
     if (!unit) return 0;
-    const double cached = costs.cache / 4, outside = std::clamp(std::log(footprint(work) / cached) / std::log(costs.cache / cached), 0.0, 1.0);
+    const double cached = work.tier == "fdtd" && work.dimension == 2 ? second_level : costs.cache / 4, outside = std::clamp(std::log(footprint(work) / cached) / std::log(costs.cache / cached), 0.0, 1.0);
     double each = unit->fixed + work.neighbours * (unit->per_neighbour + (work.viscous ? unit->viscous : 0));
     each += outside * unit->from_memory * (in_pairs(work.tier) ? work.neighbours : 1);
     return each * worth(work) + unit->call * work.calls;
