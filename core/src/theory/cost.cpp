@@ -11,7 +11,7 @@ namespace {
 
 /// The ends of a row take the time of so many particles, on grids of so many points, and an interface across a lattice's row of so many; in
 /// single precision a vector holds twice as many.
-constexpr double row_ends = 30, grid_ends = 15, across_interface = 230;
+constexpr double row_ends[] = {0, 45, 30, 30}, grid_ends = 15, across_interface = 230;
 
 /// Plane grids of finite differences are bound by memory as soon as a core's own cache does not hold them [bytes].
 constexpr double second_level = 1e6;
@@ -52,7 +52,7 @@ double footprint(const Work& work) {
 
 double worth(const Work& work) {
     const double width = work.tier.starts_with("lattice_single") ? 1.5 : 1, geometry = geometry_share(work.tier);
-    const double more = work.tier == "fdtd" ? grid_ends : width * row_ends + across_interface * work.interfaces, ends = on_rows(work.tier) ? 1 + more / work.row : 1;
+    const double more = work.tier == "fdtd" ? grid_ends : width * row_ends[work.dimension] + across_interface * work.interfaces, ends = on_rows(work.tier) ? 1 + more / work.row : 1;
     return ends * work.particles * ((1 - geometry) * work.evaluations + geometry * work.calls);
 }
 

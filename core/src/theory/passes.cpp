@@ -13,7 +13,7 @@ namespace {
 struct Passes {
     double acting, solid, media, layers;
 };
-constexpr Passes in_one{0.4, 6, 0.45, 0.5}, in_two{0.15, 6, 0.45, 0.5};    // fdtd of order 2, and of others
+constexpr Passes in_one{0.4, 6, 0.45, 0.6}, in_two{0.15, 6, 0.45, 0.6};    // fdtd of order 2, and of others
 
 constexpr double imposed = 6;    ///< for each point of a source that sets p, of which a sine is a good part [ns]
 
