@@ -12,6 +12,9 @@
 namespace sphonic {
 namespace {
 
+/// Of the last level, that a core of a large machine can count on [bytes].
+constexpr double most_cache = 40e6;
+
 /// What a trial is made to tell: what its neighbours cost, what Monaghan's viscosity adds, what memory adds, or what a call costs.
 enum class Asked { neighbours, viscosity, memory, call };
 
@@ -43,13 +46,13 @@ std::vector<std::string> settings_of(const std::string& tier, double h_over_dx) 
 
 /// Particles to a side: in the caches, more than they hold, or so few that calls cost as much as particles.
 int side_of(const Trial& t, double cache) {
-    constexpr double most = 80e6, neighbours[] = {0, 12, 20, 80};
+    constexpr double neighbours[] = {0, 12, 20, 80};
     constexpr int near[] = {0, 4096, 256, 40}, near_transforms[] = {0, 4096, 512, 64}, near_list[] = {0, 2000, 72, 12}, near_moving[] = {0, 2000, 128, 20}, few[] = {0, 64, 8, 4};
     if (t.asked == Asked::call) return few[t.dimension];
     if (t.tier.starts_with("kspace")) return near_transforms[t.dimension];
     if (t.asked != Asked::memory) return (t.tier.starts_with("frozen") && t.tier != "frozen_runs" ? near_list : t.tier.starts_with("moving") ? near_moving : near)[t.dimension];
     const Work one{.tier = t.tier, .dimension = t.dimension, .particles = 1, .neighbours = neighbours[t.dimension]};
-    return int(std::pow(std::min(2 * cache, most) / footprint(one), 1.0 / t.dimension));
+    return int(std::pow(2 * cache / footprint(one), 1.0 / t.dimension));
 }
 
 Case scene_of(const Trial& t, int side, Registry& registry) {
@@ -163,7 +166,7 @@ UnitCost unit_cost(const std::vector<Trial>& trials, const std::vector<Timing>& 
 }    // namespace
 
 CostModel calibrate(Registry& registry, const std::function<void(double)>& progress) {
-    CostModel costs{.machine = processor(), .cache = last_cache(), .units = {}};
+    CostModel costs{.machine = processor(), .cache = std::min(last_cache(), most_cache), .units = {}};
     std::vector<std::vector<Trial>> all;
     for (const char* tier : {"lattice", "lattice_single", "frozen", "frozen_runs", "frozen_dissipation", "frozen_fitted", "moving", "moving_densities", "fdtd", "kspace", "kspace_modes"})
         for (const int d : {1, 2, 3}) all.push_back(trials_of(tier, d));

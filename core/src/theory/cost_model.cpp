@@ -22,7 +22,7 @@ const UnitCost* CostModel::find(const std::string& tier, int dimension) const {
 
 /// Medians of five calibrations on one core of a shared machine.
 const CostModel& reference_costs() {
-    static const CostModel costs{.machine = "AMD EPYC with AVX-512, 2.6 GHz", .cache = 34e6, .units = {
+    static const CostModel costs{.machine = "Intel Xeon with AVX-512, 2.6 GHz", .cache = 40e6, .units = {
         {"fdtd 1", {0.123, 0.139, 0, 0.899, 3.43}},
         {"fdtd 2", {0.0867, 0.143, 0, 0.912, 47.3}},
         {"fdtd 3", {0, 0.194, 0, 1.22, 56.7}},
