@@ -65,7 +65,7 @@ inline double stable_step(Operators& operators, const Grid& grid, const Media& m
     LargestEigenvalue largest(operators, grid, media);
     for (;; dt *= shorter) {
         operators.spectrum.time(c, dt);
-        if (margin * dt * dt * largest() <= 4) return dt;
+        if (!(margin * dt * dt * largest() > 4)) return dt;
     }
 }
 
