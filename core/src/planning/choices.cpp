@@ -182,7 +182,7 @@ std::vector<double> spacings_between(const OpenCase& open, double coarser, doubl
     std::vector<double> all, few;
     const long end = std::lround(open.length(first) / finer);
     for (long n = fitting(open, first, std::lround(open.length(first) / coarser) + 1); n > 0 && n < end; n = fitting(open, first, n + 1)) all.push_back(open.length(first) / double(n));
-    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) few.push_back(all[all.size() > most ? (i + 1) * all.size() / (most + 1) : i]);
+    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) few.push_back(all[i * all.size() / std::min(most, all.size())]);
     return few;
 }
 
