@@ -37,7 +37,7 @@ struct PointSource final : abi::Source {
         if (position.size != 0 && position.size != scene.dimension)
             throw std::invalid_argument("position needs one component per dimension");
         scene.medium = scene.media.at(scene.dimension, position.v, scene.medium);
-        a = width_over_dx * scene.box.dx;
+        a = width_over_dx * scene.media.spacing_at(scene.dimension, position.v, scene.box.dx);
         const bool sine = signal == "sine";
         if (sine ? omega == 0 : duration == 0)
             throw std::invalid_argument("signal \"" + signal + "\" needs " + (sine ? "omega" : "duration") + ", greater than 0");

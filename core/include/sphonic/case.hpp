@@ -19,6 +19,7 @@
 #include <sphonic/plugin/abi/shape.hpp>
 #include <sphonic/plugin/abi/source.hpp>
 #include <sphonic/registry.hpp>
+#include <sphonic/stretch.hpp>
 
 namespace sphonic {
 
@@ -87,6 +88,9 @@ struct Case {
     int threads = 0;    ///< of a run, whose results do not depend on it; 0: as many as the set is worth
     abi::Medium medium;                        ///< number 0 of `media`
     std::shared_ptr<const MediaMap> media;
+    /// Of media with spacings of their own, null otherwise: box, media, faces and what sources and expressions are asked are in its
+    /// coordinate; probes, the reference and all results in x.
+    std::shared_ptr<const Stretch> stretch;
     abi::Box box;
     std::unique_ptr<abi::Arrangement> arrangement;
     double jitter = 0;    ///< in units of dx
@@ -100,6 +104,7 @@ struct Case {
     Equations equations;
     std::vector<std::unique_ptr<abi::Boundary>> boundaries;
     int boundary_of[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};    ///< [axis][upper], index into `boundaries`
+    std::unique_ptr<abi::Boundary> stretched_faces[2];         ///< [upper], of an axis that is stretched
     std::vector<SourceUse> sources;
     std::vector<InitialField> initial;
     std::unique_ptr<abi::Integrator> integrator;
@@ -131,6 +136,7 @@ struct Case {
     }
     /// The boundary of a face, or null.
     const abi::Boundary* face(int axis, bool upper) const {
+        if (stretched_faces[upper]) return stretched_faces[upper].get();
         const int i = boundary_of[axis][upper];
         return i < 0 ? nullptr : boundaries[std::size_t(i)].get();
     }
@@ -149,6 +155,8 @@ struct Case {
         double slope;
     };
     Behind behind(int variable) const;
+    /// x of a point of the set, of which `s` is the first coordinate [m].
+    double place(double s) const { return stretch ? stretch->place(s) : s; }
     /// Volume that a particle stands for [m^d].
     double particle_volume() const { return arrangement->volume(box); }
 };

@@ -7,6 +7,7 @@
 namespace sphonic {
 
 class Formula;
+class Stretch;
 
 /// A scalar expression of x, y, z, r (r = |x|) and named constants, evaluated at set-up only: + - * / ^, parentheses,
 /// pi, and sin cos tan exp sqrt abs log (natural) of one argument, min and max of two or more. -x^2 is -(x^2), and
@@ -16,6 +17,7 @@ public:
     /// pi is always there.
     struct Constants {
         std::vector<std::pair<std::string, double>> values;
+        std::shared_ptr<const Stretch> stretch{};    ///< points are given in its coordinate, and x is what it makes of them; null: x itself
     };
 
     Expression(const std::string& text, const Constants& constants, int dimension, const std::string& place);

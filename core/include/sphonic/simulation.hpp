@@ -10,7 +10,7 @@
 
 namespace sphonic {
 
-/// Difference from the reference at the end of a run, over the n particles of its region.
+/// Difference from the reference at the end of a run, over the n particles of its region, each for the volume it stands for.
 struct Errors {
     double eps = 0;    ///< sqrt(sum e^2) / (n P): the formula of Li et al. (2015), which hides 1/sqrt(n)
     double rms = 0;    ///< sqrt(sum e^2 / n) / P
@@ -32,6 +32,9 @@ struct Profile {
     double t = 0;                          ///< [s]
     std::vector<double> x[3], p, exact;    ///< exact is empty without a reference
     std::vector<char> in_region;           ///< of the reference
+    std::vector<double> share;             ///< by which each counts in sums; empty where all are alike
+
+    double share_of(std::size_t i) const { return share.empty() ? 1 : share[i]; }
 };
 
 /// What a run was and what it came to; `to_json` gives summary.json.
@@ -111,6 +114,7 @@ private:
     void predict_growth();
     void judge_set();
     std::string likely_cause() const;
+    std::vector<double> places(const abi::Points& points) const;
     void find_probes();
     void sample();
     void complete(Profile& profile) const;

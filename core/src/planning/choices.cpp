@@ -7,6 +7,8 @@
 
 namespace sphonic {
 
+double speed(const Json& medium) { return medium.value("c0", 1.0); }
+
 bool several_media(const OpenCase& open) { return open.document.contains("medium") && open.document["medium"].is_array() && open.document["medium"].size() > 1; }
 
 namespace {
@@ -114,11 +116,34 @@ long fitting(const OpenCase& open, int first, long n) {
     return 0;
 }
 
+/// The spacing next to `wanted` with which the first stratum of a medium has its ends on particles where they are the box's, and half
+/// a spacing from them where it meets another medium. `wanted` if there is none.
+double fitting_stratum(const std::vector<Stratum>& strata, int medium, double wanted) {
+    for (std::size_t k = 0; k < strata.size(); ++k) {
+        if (strata[k].medium != medium) continue;
+        const double halves = 0.5 * double((k > 0) + (k + 1 < strata.size())), length = strata[k].end - strata[k].begin;
+        return length / std::max(1.0, std::round(length / wanted - halves) + halves);
+    }
+    return wanted;
+}
+
 }    // namespace
+
+/// Gives all media their spacings; that of the first.
+double Choice::spread(const OpenCase& open, double dx, Json& document) const {
+    Json& media = document["medium"];
+    const double first = open.spacing ? fitting_stratum(open.strata, 0, dx) : dx;
+    for (std::size_t m = 1; m < media.size(); ++m) media[m]["dx"] = fitting_stratum(open.strata, int(m), first * speed(media[m]) / speed(media[0]));
+    return first;
+}
 
 Json Choice::apply(const OpenCase& open, double dx, double shortest) const {
     Json document = open.document;
     if (open.spacing) document["particles"]["dx"] = dx;
+    if (own_spacings) {
+        document["particles"]["dx"] = spread(open, dx, document);
+        shortest *= speed(document["medium"][0]) / speed(std::ranges::min(document["medium"], {}, speed));    // all media are like the first
+    }
     if (!method.is_null()) document["method"] = method;
     const bool grid = !method.is_null() && method["type"] != "particles";
     if (!integrator.is_null()) document["integrator"] = integrator;
@@ -141,10 +166,13 @@ std::string Choice::name() const {
     if (!kernel.is_null() && support == 0) text += ", " + kernel["type"].get<std::string>() + " h = " + shown(kernel["h_over_dx"].get<double>()) + " dx";
     for (const char* key : {"courant", "safety"})
         if (!integrator.is_null() && integrator.contains(key)) text += std::string(", ") + key + " " + shown(integrator[key].get<double>());
+    if (own_spacings) text += ", dx per medium";
     return single ? text + ", single precision" : text;
 }
 
-std::vector<Choice> choices(const OpenCase& open) {
+namespace {
+
+std::vector<Choice> of_one_spacing(const OpenCase& open) {
     std::vector<Choice> list;
     if (open.method && !off_sites(open)) add_grids(open, list);
     const bool grid = !open.method && open.document.contains("method") && open.document["method"].value("type", "particles") != "particles";
@@ -155,6 +183,19 @@ std::vector<Choice> choices(const OpenCase& open) {
     }
     if (open.equations) add_fitted(open, list);
     add_kernels(open, list);
+    return list;
+}
+
+}    // namespace
+
+std::vector<Choice> choices(const OpenCase& open) {
+    std::vector<Choice> list = of_one_spacing(open);
+    if (!open.own_spacings || open.strata.size() < 2 || off_sites(open)) return list;
+    const std::size_t n = list.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        list.push_back(list[i]);
+        list.back().own_spacings = true;
+    }
     return list;
 }
 

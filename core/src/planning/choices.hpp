@@ -12,13 +12,19 @@ struct Choice {
     Json method, equations, kernel, integrator;
     double support = 0, finer = 1;    ///< of band_fitted: the neighbourhood [dx], and its shortest wave over the scene's
     bool single = false;              ///< precision
+    bool own_spacings = false;        ///< of media, in proportion to the speed of their sound
 
     /// The case at a spacing [m], with nothing open; `shortest` is the scene's wavelength that must still be carried [m].
     Json apply(const OpenCase& open, double dx, double shortest) const;
     std::string name() const;    ///< with the step
+
+private:
+    double spread(const OpenCase& open, double dx, Json& document) const;
 };
 
 bool several_media(const OpenCase& open);
+/// Of the sound in a medium of a document [m/s].
+double speed(const Json& medium);
 
 std::vector<Choice> choices(const OpenCase& open);
 

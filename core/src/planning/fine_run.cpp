@@ -73,6 +73,8 @@ OpenCase widened(const OpenCase& open, double dx) {
     OpenCase wide = open;
     for (const char* key : {"output", "precision", "accuracy"}) wide.document.erase(key);
     Json& particles = wide.document["particles"];
+    if (wide.document["medium"].is_array())
+        for (Json& one : wide.document["medium"]) one.erase("dx");
     particles = {{"type", "lattice"}, {"lower", particles["lower"]}, {"upper", particles["upper"]}};
     wide.spacing = wide.step = wide.integrator = wide.equations = wide.kernel = wide.method = true;
     for (const char* key : {"integrator", "equations", "kernel", "kernels", "method", "dissipation"}) wide.document.erase(key);
@@ -198,8 +200,8 @@ Moment FineRun::moment(const Profile& now, bool at_end) const {
         }
         const double p = inside ? value(fields, now.t, x) : unknown;
         if (std::isnan(p)) continue;
-        moment.error += std::pow(now.p[i] - p, 2);
-        moment.power += p * p;
+        moment.error += now.share_of(i) * std::pow(now.p[i] - p, 2);
+        moment.power += now.share_of(i) * p * p;
     }
     return moment;
 }

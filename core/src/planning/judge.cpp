@@ -59,8 +59,8 @@ Moment beside_exact(const Profile& now) {
     Moment moment;
     for (std::size_t i = 0; i < now.p.size(); ++i) {
         if (!now.in_region[i]) continue;
-        moment.error += std::pow(now.p[i] - now.exact[i], 2);
-        moment.power += now.exact[i] * now.exact[i];
+        moment.error += now.share_of(i) * std::pow(now.p[i] - now.exact[i], 2);
+        moment.power += now.share_of(i) * now.exact[i] * now.exact[i];
     }
     return moment;
 }
@@ -69,9 +69,12 @@ Moment beside_exact(const Profile& now) {
 double of_difference(const Case& scene) { return scene.obstacles.empty() && scene.media->list().size() == 1 ? 4.0 / 3 : 2; }
 
 using Place = std::array<long, 3>;
-Place place_of(const Profile& profile, std::size_t i, const abi::Box& box, double dx) {
+Place place_of(const Case& scene, const Profile& profile, std::size_t i, double dx) {
     Place place{0, 0, 0};
-    for (int a = 0; a < box.dimension; ++a) place[std::size_t(a)] = std::lround((profile.x[a][i] - box.lower[a]) / dx);
+    for (int a = 0; a < scene.box.dimension; ++a) {
+        const double x = profile.x[a][i], s = a == 0 && scene.stretch ? scene.stretch->site(x) : x;
+        place[std::size_t(a)] = std::lround((s - scene.box.lower[a]) / dx);
+    }
     return place;
 }
 
@@ -162,21 +165,23 @@ std::optional<double> Judge::beyond_theory(const Json& document) {
 double Judge::against_finer(const Json& document, const Case& scene, Simulation& run) {
     Json finer = document;
     finer["particles"]["dx"] = scene.box.dx / 2;
+    if (scene.stretch)
+        for (std::size_t m = 1; m < finer["medium"].size(); ++m) finer["medium"][m]["dx"] = scene.stretch->factors()[m] * scene.box.dx / 2;
     const Case fine_scene = load_case(std::move(finer), file_, registry_);
     Simulation fine(fine_scene);
     fine.run();
     if (fine.summary().diverged) return infinite;
     const Profile coarse = run.profile(), exact = fine.profile();
     std::map<Place, double> at;
-    for (std::size_t i = 0; i < exact.p.size(); ++i) at[place_of(exact, i, scene.box, scene.box.dx / 2)] = exact.p[i];
+    for (std::size_t i = 0; i < exact.p.size(); ++i) at[place_of(scene, exact, i, scene.box.dx / 2)] = exact.p[i];
     double error = 0, power = 0;
     for (std::size_t i = 0; i < coarse.p.size(); ++i) {
-        Place place = place_of(coarse, i, scene.box, scene.box.dx);
+        Place place = place_of(scene, coarse, i, scene.box.dx);
         for (long& n : place) n *= 2;
         const auto found = at.find(place);
         if (found == at.end()) continue;
-        error += std::pow(coarse.p[i] - found->second, 2);
-        power += found->second * found->second;
+        error += coarse.share_of(i) * std::pow(coarse.p[i] - found->second, 2);
+        power += coarse.share_of(i) * found->second * found->second;
     }
     return power > 0 ? of_difference(scene) * std::sqrt(error / power) : infinite;
 }

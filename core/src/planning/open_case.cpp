@@ -33,6 +33,18 @@ void require_box(const Json& document, const std::string& file) {
             refuse(file, std::string("/particles/") + corner, "is not a list of " + d.dump() + " numbers", "Give the corner of the box");
 }
 
+/// Spacings of the media's own are taken out where they are "auto", and all of them with `free`.
+void open_spacings(OpenCase& open, bool free) {
+    if (!open.document.contains("medium") || !open.document["medium"].is_array()) return;
+    bool given = false, automatic = false;
+    for (Json& medium : open.document["medium"]) {
+        if (!medium.is_object() || !medium.contains("dx")) continue;
+        (free || medium["dx"] == "auto" ? automatic : given) = true;
+        if (free || medium["dx"] == "auto") medium.erase("dx");
+    }
+    open.own_spacings = !given && (open.spacing || automatic);
+}
+
 /// The integrator's type and step may be open apart.
 void open_integrator(OpenCase& open, bool free) {
     Json& document = open.document;
@@ -78,6 +90,7 @@ OpenCase opened(const Json& document, const std::string& file, bool free) {
     open.kernel = free || (is_auto(d, "kernel") && !d.contains("kernels"));
     open.method = free || (d.contains("method") ? d["method"] == "auto" : open.equations);
     open.spacing = free || is_auto(d["particles"], "dx");
+    open_spacings(open, free);
     open.viscosity = free && d.contains("viscosity");
     open.attenuation = free;
     open.precision = free || d.value("precision", Json()) == "auto";

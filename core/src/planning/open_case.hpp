@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <sphonic/plan.hpp>
+#include <sphonic/stretch.hpp>
 
 namespace sphonic {
 
@@ -15,6 +16,8 @@ struct OpenCase {
     bool motion = false, active = false;    ///< given otherwise than a plan has them
     bool attenuation = false;    ///< of absorbing layers
     bool precision = false;
+    bool own_spacings = false;    ///< media may have spacings of their own, where the box has one dimension
+    std::vector<Stratum> strata;  ///< of such a box
 
     bool anything() const { return method || equations || kernel || spacing || step; }
     int dimension() const { return document["dimension"]; }

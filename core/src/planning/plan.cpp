@@ -16,8 +16,8 @@
 namespace sphonic {
 namespace {
 
-/// The wavelength that must still be carried, by a look at the scene on a fine lattice. [m]
-double shortest_of(const OpenCase& open, double target, Registry& registry) {
+/// The wavelength that must still be carried [m], by a look at the scene on a fine lattice, which finds its strata, too.
+double look_at(OpenCase& open, double target, Registry& registry) {
     std::string why = "no set-up fits";
     const double fine[3] = {4e3, 4e4, 1.5e5}, points = fine[open.dimension() - 1];
     for (const double most : {points, points / 3, 10 * points})
@@ -27,6 +27,7 @@ double shortest_of(const OpenCase& open, double target, Registry& registry) {
             try {
                 const Case scene = load_case(choice.apply(open, all.back(), 10 * all.back()), open.file, registry);
                 const double slowest = std::ranges::min(scene.media->list(), {}, &abi::Medium::c0).c0;
+                if (open.dimension() == 1 && scene.media->several() && !scene.stretch) open.strata = strata(scene.box, scene.media->view(), scene.box.dx);
                 double longest = 0;
                 for (int a = 0; a < open.dimension(); ++a) longest = std::max(longest, open.length(a));
                 return std::min(longest, shortest_wave(scene, 0.01 * target * target)) * slowest / scene.medium.c0;
@@ -49,6 +50,18 @@ std::string savings(const Search& search, const std::string& pointer) {
     return {};
 }
 
+void explain_spacings(const OpenCase& open, const Search& search, Plan& plan) {
+    const Found& best = search.found.front();
+    const bool own = best.choice.own_spacings;
+    const auto otherwise = std::ranges::find_if(search.found, [&](const Found& other) { return other.choice.own_spacings != own; });
+    const std::string saved = otherwise == search.found.end() ? "" : shown(otherwise->judgement.cpu_s / best.judgement.cpu_s, 2) + " times the time by " + otherwise->choice.name();
+    const std::string shared = several_media(open) ? "; one for all media, so the slowest, with the shortest waves, decides" : "";
+    if (open.spacing)
+        plan.decisions.push_back({"/particles/dx", best.document.at("particles").at("dx"), "the coarsest of these at which the target is met" + (own ? ", in the first medium" : shared), own ? "" : saved});
+    for (std::size_t m = 1; own && m < best.document["medium"].size(); ++m)
+        plan.decisions.push_back({"/medium/" + std::to_string(m) + "/dx", best.document["medium"][m]["dx"], "as many particles to a wave as in the first medium, and as large a step", m == 1 ? saved : ""});
+}
+
 void explain(const OpenCase& open, const Search& search, Plan& plan) {
     const Found& best = search.found.front();
     const std::string cheapest = "the cheapest of what meets the target, by " + best.judgement.basis;
@@ -59,9 +72,7 @@ void explain(const OpenCase& open, const Search& search, Plan& plan) {
     decide(open.method, "/method", cheapest);
     decide(open.equations, "/equations", best.choice.support > 0 ? "weights fitted to the scene's waves and the step" : cheapest);
     decide(open.kernel, "/kernel", best.choice.support > 0 ? "fitted weights need none; it sets the smallest neighbourhood" : cheapest);
-    if (open.spacing)
-        plan.decisions.push_back({"/particles/dx", best.dx, std::string("the coarsest of these at which the target is met") +
-                                                                (several_media(open) ? "; one for all media, so the slowest, with the shortest waves, decides" : ""), ""});
+    if (open.spacing || best.choice.own_spacings) explain_spacings(open, search, plan);
     decide(open.step, "/integrator", "its step: the error in time and in space offset each other, or the largest stable one");
     if (open.precision)
         plan.decisions.push_back({"/precision", best.choice.single ? "single" : "double",
@@ -117,7 +128,7 @@ Plan make_plan(const Json& document, const std::filesystem::path& file, const Pl
     plan.decisions = drop_axes(open.document);
     const bool flat = !plan.decisions.empty();
     const std::vector<std::size_t> layers = fit_layers(open, request, plan);
-    const double shortest = shortest_of(open, request.target, registry);
+    const double shortest = look_at(open, request.target, registry);
     Judge judge(open, shortest, registry, request.target, request.budget_s);
     if (open.document.contains("boundaries")) weigh_layers(open, layers, request.target, shortest, judge, plan);
     Search found = search(open, request.target, shortest, judge);
@@ -126,7 +137,7 @@ Plan make_plan(const Json& document, const std::filesystem::path& file, const Pl
     explain(open, found, plan);
     std::set<std::string> seen;
     for (const Found& one : found.found)
-        if (seen.insert(one.choice.family).second) plan.families.push_back({one.choice.name() + ", dx = " + shown(one.dx) + " m", one.judgement.l2, one.judgement.cpu_s});
+        if (seen.insert(one.choice.family + (one.choice.own_spacings ? "+" : "")).second) plan.families.push_back({one.choice.name() + ", dx = " + shown(one.document.at("particles").at("dx").get<double>()) + " m", one.judgement.l2, one.judgement.cpu_s});
     if (found.cut_short) plan.warnings.push_back("the search ended before all was looked at: it took longer than it can save (--budget)");
     plan.document = best.document;
     plan.l2 = best.judgement.l2;

@@ -115,7 +115,6 @@ void refine(const OpenCase& open, const std::vector<double>& all, double target,
 /// Speed of the fastest medium over that of the slowest: next to no sound may reach the one with the shortest waves.
 double contrast(const OpenCase& open) {
     if (!several_media(open)) return 1;
-    const auto speed = [](const Json& medium) { return medium.value("c0", 1.0); };
     return speed(std::ranges::max(open.document["medium"], {}, speed)) / speed(std::ranges::min(open.document["medium"], {}, speed));
 }
 

@@ -9,6 +9,7 @@
 
 #include "case_reader.hpp"
 #include "form_fit.hpp"
+#include "stretched_parts.hpp"
 
 namespace fs = std::filesystem;
 
@@ -20,6 +21,17 @@ abi::Medium read_medium(Section& section) {
     medium.c0 = section.real(common_key("medium", "c0"));
     medium.rho0 = section.real(common_key("medium", "rho0"));
     return medium;
+}
+
+/// Where media have spacings of their own, the coordinate in which they are even.
+void read_stretch(Case& scene, MediaMap& media, const Section& root, const std::vector<double>& spacing) {
+    if (std::ranges::all_of(spacing, [&](double dx) { return dx == scene.box.dx; })) return;
+    const auto refuse = [&](const std::string& what, const std::string& remedy) { root.fail("medium", "a medium has a dx of its own, and " + what, remedy); };
+    if (scene.box.dimension > 1) refuse("the box has more than one dimension", "Leave it out: one spacing serves all media");
+    if (!scene.arrangement->regular()) refuse("these particles do not lie on a lattice", "Use the arrangement \"lattice\"");
+    if (scene.motion == Motion::lagrangian) refuse("the particles move", "Use frozen particles");
+    media.space(spacing);
+    scene.stretch = std::make_shared<Stretch>(scene.box, media.view());
 }
 
 /// One medium, or a list: the first fills the box, the others their regions.
@@ -37,22 +49,26 @@ void read_media(Case& scene, Section& root) {
     if (given.empty()) root.fail("medium", "the list is empty", remedy);
     Json resolved = Json::array();
     std::shared_ptr<MediaMap> media;
+    std::vector<double> spacing;
     for (std::size_t i = 0; i < given.size(); ++i) {
         Section section(given[i], root.file(), "/medium/" + std::to_string(i));
         const abi::Medium medium = read_medium(section);
         if (i == 0) {
             scene.medium = medium;
             media = std::make_shared<MediaMap>(medium);
+            if (section.has("dx")) section.fail("dx", "the first medium's spacing is that of the particles", "Give it as dx of \"particles\"");
         } else {
             const std::string text = section.read(common_key("medium", "region")).text;
             if (text.empty()) section.fail("region", "is missing", "Give a condition on x, y, z, r: the first medium fills the box, the others their regions");
             media->add(medium, Region(text, constants(scene), scene.box.dimension, section.place("region")));
         }
+        spacing.push_back(section.optional_real(common_key("medium", "dx")).value_or(scene.box.dx));
         section.finish();
         resolved.push_back(section.resolved);
     }
     root.resolved["medium"] = resolved;
     scene.media = media;
+    read_stretch(scene, *media, root, spacing);
 }
 
 void read_dimension(Case& scene, Section& root) {
@@ -194,7 +210,7 @@ bool Case::initial_values(const std::string& variable, int component, const abi:
 }
 
 Expression::Constants constants(const Case& scene, const abi::Medium& m) {
-    Expression::Constants known{{{"c0", m.c0}, {"rho0", m.rho0}, {"K", m.rho0 * m.c0 * m.c0}, {"dx", scene.box.dx}}};
+    Expression::Constants known{{{"c0", m.c0}, {"rho0", m.rho0}, {"K", m.rho0 * m.c0 * m.c0}, {"dx", scene.box.dx}}, scene.stretch};
     if (!scene.kernels.empty()) known.values.emplace_back("h", scene.kernels[0].h);
     return known;
 }
@@ -216,6 +232,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     read_method(scene, root, registry);
     read_space(scene, root, registry);
     read_media(scene, root);
+    lay_out(scene, root);
     read_kernels(scene, root, registry);
     read_equations(scene, root, registry);
     read_obstacles(scene, root, registry);
@@ -226,6 +243,7 @@ Case load_case(Json document, const fs::path& file, Registry& registry) {
     read_time(scene, root, registry);
     read_output(scene, root);
     check_provenance(scene, root);
+    if (scene.stretch) enter(scene);
     fit_forms(scene);
     root.finish();
     warn_unused(scene, root);

@@ -57,6 +57,7 @@ Expression::Constants constants(const Case& scene, const abi::Medium& medium);
 Expression::Constants constants(const Case& scene);
 
 void read_space(Case& scene, Section& root, Registry& registry);        // particles, boundaries
+void lay_out(Case& scene, const Section& root);                           // counts the particles, once the media's spacings are known
 void read_kernels(Case& scene, Section& root, Registry& registry);      // kernel, kernels
 void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity, dissipation
 void read_obstacles(Case& scene, Section& root, Registry& registry);    // obstacles, once the kernels and so h are known

@@ -69,8 +69,7 @@ double sites(const abi::Box& box, int axis, bool on_sites, const Section& sectio
     return std::round(length);
 }
 
-void count_sites(Case& scene, const Section& section) {
-    abi::Box& box = scene.box;
+void count_sites(const Case& scene, abi::Box& box, const Section& section) {
     const bool on_sites = scene.arrangement->regular() || !scene.method->meshfree();
     double total = 1;
     for (int a = 0; a < box.dimension; ++a) {
@@ -101,13 +100,9 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     const auto lower = section.point("lower", box.dimension), upper = section.point("upper", box.dimension);
     std::copy(lower.begin(), lower.end(), box.lower);
     std::copy(upper.begin(), upper.end(), box.upper);
-    count_sites(scene, section);
     scene.jitter = section.real(common_key("arrangement", "jitter"));
     scene.seed = section.read(common_key("arrangement", "seed")).integer;
     scene.arrangement->seed(scene.seed);
-    prepared(section.place(), [&] { scene.arrangement->prepare(box); });
-    scene.particles = scene.arrangement->size(box);
-    if (scene.particles < 2) section.fail("", "there are fewer than two particles", "Choose a smaller dx or a larger box");
     const std::string motion = section.read(common_key("arrangement", "motion")).text;
     scene.motion = motion == "lagrangian" ? Motion::lagrangian : Motion::frozen;
     const std::string neighbours = section.read(common_key("arrangement", "neighbours")).text;
@@ -121,6 +116,17 @@ void read_space(Case& scene, Section& root, Registry& registry) {
     scene.velocity_name = section.read(common_key("arrangement", "velocity")).text;
     section.finish();
     root.resolved["particles"] = section.resolved;
+}
+
+void lay_out(Case& scene, const Section& root) {
+    const Section section(root.value()["particles"], root.file(), "/particles");
+    abi::Box box = scene.box;
+    if (scene.stretch) box.upper[0] = scene.stretch->site(box.upper[0]);
+    count_sites(scene, box, section);
+    prepared(section.place(), [&] { scene.arrangement->prepare(box); });
+    scene.particles = scene.arrangement->size(box);
+    if (scene.particles < 2) section.fail("", "there are fewer than two particles", "Choose a smaller dx or a larger box");
+    std::copy(box.count, box.count + 3, scene.box.count);
 }
 
 }    // namespace sphonic

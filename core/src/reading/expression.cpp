@@ -7,6 +7,7 @@
 
 #include <muParser.h>
 #include <sphonic/error.hpp>
+#include <sphonic/stretch.hpp>
 
 #include "expression_tokens.hpp"
 #include "expression_translator.hpp"
@@ -17,7 +18,7 @@ class Formula {
 public:
     Formula(std::string source, const Expression::Constants& constants, int dimension, const std::string& place,
             bool condition)
-        : text(std::move(source)), dimension_(dimension) {
+        : text(std::move(source)), dimension_(dimension), stretch_(constants.stretch) {
         const std::string code = muparser_code(text, constants, dimension, place, condition);
         try {
             for (std::size_t i = 0; i < at_.size(); ++i) parser_.DefineVar(std::string(1, "xyzr"[i]), &at_[i]);
@@ -30,6 +31,7 @@ public:
 
     double operator()(const double* x) {
         std::copy_n(x, dimension_, at_.begin());
+        if (stretch_) at_[0] = stretch_->place(at_[0]);
         at_[3] = std::hypot(at_[0], at_[1], at_[2]);
         return parser_.Eval();
     }
@@ -38,6 +40,7 @@ public:
 
 private:
     int dimension_;
+    std::shared_ptr<const Stretch> stretch_;
     std::array<double, 4> at_{};    // x, y, z, r
     mu::Parser parser_;
 };

@@ -56,7 +56,8 @@ const Tables& tables() {
           text("active", "auto|all", "which particles are stepped: auto leaves out what no sound has reached and what can no longer matter", "auto"),
           text("precision", "double|single", "of the fields of a lattice; single takes half the time and memory, and errors stay above some 1e-7 sqrt(steps)", "double")}},
         {"medium", {number("c0", "m/s", positive, infinite, "sound speed"), number("rho0", "kg/m^3", positive, infinite, "density at rest"),
-          text("region", "", "of a list of media: condition on x, y, z, r; the first medium fills the box")}},
+          text("region", "", "of a list of media: condition on x, y, z, r; the first medium fills the box"),
+          number("dx", "m", positive, infinite, "of a list in one dimension: spacing of the particles in this medium, h in proportion; that of the first if not given")}},
         {"output", {number("every", "s", 0, infinite, "interval of probe samples; 0 is every step", 0),
           flag("fields", "the whole set at the end; without it, only probes and the reference's region", true)}},
         {"boundary", {text("face", "", "x_min ... z_max, an axis x, y, z, or all")}},
@@ -150,7 +151,7 @@ std::span<const KeyRule> key_rules(const std::string& kind) {
 
 std::span<const std::string> planned_places() {
     static const std::vector<std::string> all{"/method", "/equations", "/kernel", "/integrator", "/integrator/type", "/integrator/dt", "/integrator/courant",
-                                              "/integrator/safety", "/particles/dx", "/boundaries/*/attenuation", "/precision"};
+                                              "/integrator/safety", "/particles/dx", "/medium/*/dx", "/boundaries/*/attenuation", "/precision"};
     return all;
 }
 

@@ -19,7 +19,7 @@ Loudness loudness_of(const Case& scene, const abi::Snapshot& shot) {
     const ParticleMedia media(scene, shot.points.n, shot.points.x);
     Loudness most;
     for (int i = 0; i < shot.points.n; ++i) {
-        const abi::Medium& m = media.of(i);
+        const abi::Medium& m = scene.media->materials()[std::size_t(media.number(i))];
         double square = 0;
         for (int a = 0; a < shot.points.dimension && shot.u[a]; ++a) square += shot.u[a][i] * shot.u[a][i];
         most.compression = std::max(most.compression, std::abs(shot.p[i]) / bulk_modulus(m));
@@ -34,7 +34,9 @@ std::optional<std::string> beyond_linear(const Case& scene, const abi::Snapshot&
     Loudness most = loudness_of(scene, shot);
     for (const SourceUse& use : scene.sources)
         if (const abi::PlaneWave* wave = use.source->wave()) {
-            const double ratio = std::abs(wave->amplitude) / bulk_modulus(scene.media->view().at(scene.box.dimension, wave->origin, scene.medium));
+            int number = 0;
+            scene.media->find({.dimension = scene.box.dimension, .n = 1, .x = {wave->origin, wave->origin + 1, wave->origin + 2}}, &number);
+            const double ratio = std::abs(wave->amplitude) / bulk_modulus(scene.media->materials()[std::size_t(number)]);
             most = {std::max(most.compression, ratio), std::max(most.mach, ratio)};    // alike in a plane wave
         }
     if (most.compression <= small && most.mach <= small) return std::nullopt;

@@ -99,7 +99,7 @@ std::string Sentinel::place(const abi::Snapshot& shot, double energy) const {
     std::ostringstream text;
     text.precision(4);
     text << "at t = " << solver_.time() << " s the pressure of particle " << worst << " at (";
-    for (int a = 0; a < shot.points.dimension; ++a) text << (a ? ", " : "") << shot.points.x[a][worst];
+    for (int a = 0; a < shot.points.dimension; ++a) text << (a ? ", " : "") << (a ? shot.points.x[a][worst] : scene_.place(shot.points.x[0][worst]));
     text << ") m is " << shot.p[worst] << " Pa, and the energy of the set is " << energy << ", where its start and its sources account for "
          << solver_.energy_bound() << "; all was well at t = " << good_.t << " s";
     return text.str();

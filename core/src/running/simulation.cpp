@@ -72,21 +72,30 @@ void Simulation::find_probes() {
     if (std::count(in_region_.begin(), in_region_.end(), 1) == 0)
         throw Error(Fault::input, scene_.file + ": /reference/region", "no particle lies in \"" + scene_.reference->region->text() + "\"",
                     "Choose a region inside the box");
+    const std::vector<double> along = places(shot.points);
     for (const auto& probe : scene_.output.probes) {
         long nearest = 0;
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < shot.points.n; ++i) {
             double r2 = 0;
-            for (int a = 0; a < d; ++a) r2 += std::pow(shot.points.x[a][i] - probe[std::size_t(a)], 2);
+            for (int a = 0; a < d; ++a) r2 += std::pow((a ? shot.points.x[a][i] : along[std::size_t(i)]) - probe[std::size_t(a)], 2);
             if (r2 < least) least = r2, nearest = i;
         }
         probe_particles_.push_back(nearest);
         probes_.asked.push_back(probe);
         probes_.read_at.emplace_back();
-        for (int a = 0; a < d; ++a) probes_.read_at.back().push_back(shot.points.x[a][nearest]);
+        for (int a = 0; a < d; ++a) probes_.read_at.back().push_back(a ? shot.points.x[a][nearest] : along[std::size_t(nearest)]);
     }
     probes_.p.resize(probe_particles_.size());
     probes_.exact.resize(probe_particles_.size());
+}
+
+/// x of the points of a snapshot.
+std::vector<double> Simulation::places(const abi::Points& points) const {
+    std::vector<double> x(points.x[0], points.x[0] + points.n);
+    if (scene_.stretch)
+        for (double& s : x) s = scene_.place(s);
+    return x;
 }
 
 void Simulation::sample() {
@@ -99,6 +108,8 @@ void Simulation::sample() {
         const long i = probe_particles_[k];
         abi::Points point{.dimension = scene_.box.dimension, .n = 1};
         for (int a = 0; a < scene_.box.dimension; ++a) point.x[a] = shot.points.x[a] + i;
+        const double x = scene_.place(*point.x[0]);
+        point.x[0] = &x;
         for (const double p : exact_pressure(scene_, solver_->time(), point)) probes_.exact[k].push_back(p);
     }
 }
@@ -179,7 +190,8 @@ Profile Simulation::profile() {
     if (!measured_.p.empty() && measured_.t == solver_->time()) return measured_;
     const abi::Snapshot shot = solver_->snapshot();
     Profile out{.t = solver_->time()};
-    for (int a = 0; a < scene_.box.dimension; ++a) out.x[a].assign(shot.points.x[a], shot.points.x[a] + shot.points.n);
+    out.x[0] = places(shot.points);
+    for (int a = 1; a < scene_.box.dimension; ++a) out.x[a].assign(shot.points.x[a], shot.points.x[a] + shot.points.n);
     out.p.assign(shot.p, shot.p + shot.points.n);
     complete(out);
     const bool probes_only = !scene_.output.fields && !scene_.reference;
@@ -191,6 +203,7 @@ Profile Simulation::profile() {
 
 Profile Simulation::last_good() {
     Profile out = sentinel_->last_good();
+    for (double& x : out.x[0]) x = scene_.place(x);
     complete(out);
     return out;
 }
@@ -200,25 +213,28 @@ void Simulation::complete(Profile& profile) const {
     for (int a = 0; a < scene_.box.dimension; ++a) points.x[a] = profile.x[a].data();
     profile.exact = exact_pressure(scene_, profile.t, points);
     profile.in_region = in_region_;
+    if (scene_.stretch)
+        for (const double x : profile.x[0]) profile.share.push_back(scene_.stretch->factor(scene_.stretch->site(x)));
 }
 
 Errors Simulation::measure() {
     measured_ = profile();
     const Profile& now = measured_;
     Errors e;
-    double squares = 0, exact_squares = 0, loudest = 0;
+    double squares = 0, exact_squares = 0, loudest = 0, all = 0;
     for (std::size_t i = 0; i < now.p.size(); ++i) {
         if (!now.in_region[i]) continue;
-        const double difference = now.p[i] - now.exact[i];
-        squares += difference * difference;
-        exact_squares += now.exact[i] * now.exact[i];
+        const double difference = now.p[i] - now.exact[i], share = now.share_of(i);
+        squares += share * difference * difference;
+        exact_squares += share * now.exact[i] * now.exact[i];
+        all += share;
         loudest = std::max(loudest, std::abs(now.exact[i]));
         e.max = std::max(e.max, std::abs(difference));
         ++e.n;
     }
     e.scale = scene_.reference->scale.value_or(loudest);
     e.eps = std::sqrt(squares) / (double(e.n) * e.scale);
-    e.rms = std::sqrt(squares / double(e.n)) / e.scale;
+    e.rms = std::sqrt(squares / all) / e.scale;
     e.l2 = std::sqrt(squares / exact_squares);
     return e;
 }

@@ -54,6 +54,8 @@ Json coarser(const Case& scene, double factor) {
         if (object.is_object() && object.contains(member) && object[member].is_number()) object[member] = factor * double(object[member]);
     };
     stretch(document["particles"], "dx");
+    if (document["medium"].is_array())
+        for (Json& medium : document["medium"]) stretch(medium, "dx");
     stretch(document["integrator"], "dt");
     stretch(document["integrator"], "courant_length");
     for (const char* kernels : {"kernel", "kernels"}) {

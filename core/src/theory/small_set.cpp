@@ -119,8 +119,8 @@ std::optional<Case> small_set(const Case& scene, double dt, bool closed) {
         document["particles"]["lower"] = document["particles"]["upper"] = Json::array();
         for (int a = 0; a < scene.box.dimension; ++a) {
             const auto [lower, upper] = piece(scene, a, side(scene), centre[std::size_t(a)], fewer);
-            document["particles"]["lower"].push_back(lower);
-            document["particles"]["upper"].push_back(upper);
+            document["particles"]["lower"].push_back(a ? lower : scene.place(lower));
+            document["particles"]["upper"].push_back(a ? upper : scene.place(upper));
         }
     };
     for (int fewer = 0; fewer < 4; ++fewer) try {
