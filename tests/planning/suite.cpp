@@ -134,6 +134,39 @@ TEST_CASE("a plan judged by runs keeps its promise a little earlier, too", "[pla
     }
 }
 
+TEST_CASE("media get spacings in proportion to their speeds where that is cheaper, with their interfaces half-way between particles", "[plan]") {
+    Json document = read_json(SPHONIC_SOURCE_DIR "/cases/scenes/air_to_water.json");
+    const Plan plan = make_plan(document, "air_to_water.json", {.target = 0.01, .free = true, .budget_s = 20}, registry());
+    CAPTURE(plan.document.dump());
+    REQUIRE(plan.document["medium"][1].contains("dx"));
+    const double air = plan.document["particles"]["dx"], water = plan.document["medium"][1]["dx"];
+    CHECK(std::abs(water / air * 340 / 1480 - 1) <= 0.1);
+    for (const double intervals : {3 / air, 9 / water}) CHECK(std::abs(intervals - std::floor(intervals) - 0.5) <= 1e-6);
+    CHECK(std::ranges::any_of(plan.decisions, [](const Decision& d) { return d.what == "/medium/1/dx"; }));
+    const Case c = load_case(plan.document, "air_to_water.json", registry());
+    const Summary planned = run(c);
+    CHECK(planned.errors->l2 <= 0.01);
+    for (Json& medium : document["medium"]) medium.erase("dx");
+    document["particles"]["dx"] = air;
+    document["method"] = plan.document["method"];
+    document["integrator"] = {{"type", "leapfrog"}, {"safety", 1}};
+    const Case c_even = load_case(document, "air_to_water.json", registry());
+    const Summary even = run(c_even);
+    CHECK(planned.particle_steps <= even.particle_steps / 8);    // 2.1 times fewer particles, 4.35 times larger steps
+    CHECK(planned.errors->l2 <= even.errors->l2);
+}
+
+TEST_CASE("a spacing that a medium is given stays, and \"auto\" is planned though that of the others is given", "[plan]") {
+    Json document = read_json(SPHONIC_SOURCE_DIR "/cases/scenes/air_to_water.json");
+    for (const char* key : {"method", "integrator", "equations", "kernel"}) document.erase(key);
+    const auto planned_at = [&](double target) { return make_plan(document, "air_to_water.json", {.target = target, .free = false, .budget_s = 10}, registry()).document; };
+    CHECK(planned_at(0.02)["medium"][1]["dx"] == document["medium"][1]["dx"]);
+    document["medium"][1]["dx"] = "auto";
+    const Json open = planned_at(0.02);
+    CHECK(open["particles"]["dx"] == document["particles"]["dx"]);
+    CHECK(open["medium"][1].contains("dx"));
+}
+
 TEST_CASE("a plan costs far less than a case that was set up by habit", "[plan]") {
     const Plan plan = planned("standing_wave_2d", 0.01);
     const Case as_given = load_case(file_of("standing_wave_2d"), {}, registry());

@@ -193,8 +193,10 @@ std::vector<Choice> choices(const OpenCase& open) {
     if (!open.own_spacings || open.strata.size() < 2 || off_sites(open)) return list;
     const std::size_t n = list.size();
     for (std::size_t i = 0; i < n; ++i) {
-        list.push_back(list[i]);
-        list.back().own_spacings = true;
+        Choice own = list[i];
+        own.own_spacings = true;
+        if (own.family == "fdtd 2" && own.integrator.is_object() && own.integrator.value("courant", 0.0) == 1) own.integrator = integrators(open, {step("safety", 1)}).front();    // as long: spacings that fit differ a little from the speeds' proportion
+        list.push_back(std::move(own));
     }
     return list;
 }
