@@ -109,6 +109,13 @@ TEST_CASE("a value of a study can remove members and choose another case") {
     CHECK(study.points[1].family == "walls");
 }
 
+TEST_CASE("what an earlier dimension set and a later one removes is not said to be set") {
+    const Study study = Desk().study(R"("case": "tone.json", "vary": [ { "name": "a", "values": [ { "label": 1, "set": { "/title": "T", "/viscosity/alpha": 0.5 } } ] },
+        { "name": "b", "values": [ { "label": "bare", "remove": ["/viscosity/alpha"] } ] } ])");
+    CHECK_FALSE(study.points[0].document["viscosity"].contains("alpha"));
+    CHECK(study.points[0].set == Json({{"/title", "T"}}));
+}
+
 TEST_CASE("a printed value belongs to the points whose labels its row gives") {
     const Study study = Desk().study(two + R"(, "measure": "errors.eps",
         "printed": { "columns": ["step", "eps", "/viscosity/alpha"], "rows": [["large", 2e-4, 0.030], ["small", 3e-4, 0.0]] })");

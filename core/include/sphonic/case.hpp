@@ -104,7 +104,7 @@ struct Case {
     Equations equations;
     std::vector<std::unique_ptr<abi::Boundary>> boundaries;
     int boundary_of[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};    ///< [axis][upper], index into `boundaries`
-    std::unique_ptr<abi::Boundary> stretched_faces[2];         ///< [upper], of an axis that is stretched
+    std::unique_ptr<abi::Boundary> stretched_faces[2];         ///< [upper], of the axis that is stretched
     std::vector<SourceUse> sources;
     std::vector<InitialField> initial;
     std::unique_ptr<abi::Integrator> integrator;
@@ -136,7 +136,7 @@ struct Case {
     }
     /// The boundary of a face, or null.
     const abi::Boundary* face(int axis, bool upper) const {
-        if (stretched_faces[upper]) return stretched_faces[upper].get();
+        if (axis == 0 && stretched_faces[upper]) return stretched_faces[upper].get();
         const int i = boundary_of[axis][upper];
         return i < 0 ? nullptr : boundaries[std::size_t(i)].get();
     }

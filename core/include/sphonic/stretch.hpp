@@ -34,7 +34,8 @@ public:
     /// f by number of the medium.
     const std::vector<double>& factors() const { return factors_; }
 
-    abi::Medium seen(const abi::Medium& medium, double factor) const { return {.c0 = medium.c0 / factor, .rho0 = medium.rho0 * factor}; }
+    /// A medium of x in s, where dx/ds = `factor`.
+    static abi::Medium seen(const abi::Medium& medium, double factor) { return {.c0 = medium.c0 / factor, .rho0 = medium.rho0 * factor}; }
 
 private:
     /// A stratum's beginning.

@@ -5,7 +5,7 @@
 namespace sphonic {
 
 MediaMap::MediaMap(std::shared_ptr<const MediaMap> plain, std::shared_ptr<const Stretch> stretch) : media_(plain->media_), plain_(std::move(plain)), stretch_(std::move(stretch)) {
-    for (std::size_t m = 0; m < media_.size(); ++m) media_[m] = stretch_->seen(media_[m], stretch_->factors()[m]);
+    for (std::size_t m = 0; m < media_.size(); ++m) media_[m] = Stretch::seen(media_[m], stretch_->factors()[m]);
 }
 
 void MediaMap::add(const abi::Medium& medium, Region region) {

@@ -84,7 +84,7 @@ public:
     int parity(abi::Part part) const override { return plain_.parity(part); }
     double damping(double distance, const abi::Medium& medium) const override {
         const double s = s_ + inwards_ * distance;
-        return plain_.damping(std::abs(stretch_->place(s) - stretch_->place(s_)), stretch_->seen(medium, 1 / stretch_->factor(s)));
+        return plain_.damping(std::abs(stretch_->place(s) - stretch_->place(s_)), Stretch::seen(medium, 1 / stretch_->factor(s)));
     }
     double admittance() const override { return plain_.admittance(); }
     void fill(const abi::GhostLayers& layers) const override { plain_.fill(layers); }

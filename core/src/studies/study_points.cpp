@@ -49,6 +49,7 @@ void apply(const Study& study, const Choice& choice, StudyPoint& point) {
         for (const std::string& pointer : value->remove) {
             remove_at(point.document, pointer);
             point.removed.push_back(pointer);
+            point.set.erase(pointer);    // by an earlier dimension
         }
         for (const auto& [pointer, setting] : value->set) {
             set_at(point.document, pointer, setting, "set");
