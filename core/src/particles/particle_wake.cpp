@@ -6,6 +6,11 @@
 
 /// Which particles of a lattice need not be stepped.
 namespace sphonic {
+namespace {
+
+constexpr double worth_looking = 200;    ///< particles a step that could be spared: fewer take less than looking for sound does
+
+}    // namespace
 
 /// A variable's value where all evolved ones are at rest.
 double ParticleSystem::at_rest(int variable) const {
@@ -87,6 +92,10 @@ void ParticleSystem::let_sleep(const StepFacts& step) {
     std::vector<Wake::Watched> watched;
     for (const int c : part(abi::fields).components) watched.push_back({field(c), components_.rest(c), unit_of(c)});
     wake_ = std::make_unique<Wake>(scene_.box, *tier_->tiles(), layout(), std::move(plan), std::move(watched));
+    if (double(particles()) * double(step.count) - wake_->ideal_steps() >= worth_looking * double(step.count)) return;
+    tier_->tiles()->step_only(std::vector<char>(std::size_t(tier_->tiles()->count()), 1));
+    wake_.reset();
+    all_because_ = "to look for what sleeps would take longer than it could spare";
 }
 
 /// Before each rate that an integrator asks for.

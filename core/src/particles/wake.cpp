@@ -18,14 +18,20 @@ constexpr long now_and_then = 8;
 Wake::Wake(const abi::Box& box, LatticeTiles& tiles, const Layout& layout, Plan plan, std::vector<Watched> watched)
     : tiles_(tiles), plan_(std::move(plan)), watched_(std::move(watched)), awake_(std::size_t(tiles.count()), 0) {
     const double values = double(layout.particles()) * double(watched_.size());
-    threshold_ = promise / (plan_.growth * double(plan_.steps) * std::sqrt(values));
+    threshold_ = promise / (3 * plan_.growth * double(plan_.steps) * std::sqrt(values));    // for quiet particles once, for what stands still twice
     std::vector<char> has_source(awake_);
     for (const std::ptrdiff_t place : plan_.sources) has_source[std::size_t(tiles.of(place))] = 1;
     std::vector<long> all;
     for (long t = 0; t < tiles.count(); ++t) all.push_back(t);
     const std::vector<Heard> heard = hear(all);
+    still_.assign(all.size(), 0);
     for (const long t : all) {
-        if (heard[std::size_t(t)].most > 0) wake(t);
+        const double most = heard[std::size_t(t)].most;
+        if (most > threshold_ * amplitude_)
+            wake(t);
+        else
+            still_[std::size_t(t)] = most * most * double(tiles.particles(t)) * double(watched_.size());
+        still_squares_ += still_[std::size_t(t)];
         if (!has_source[std::size_t(t)]) continue;
         source_tiles_.push_back(t);
         wake(t);
@@ -75,6 +81,7 @@ bool Wake::wake(long tile) {
     char& awake = awake_[std::size_t(tile)];
     if (awake) return false;
     awake = 1;
+    still_squares_ = std::max(0.0, still_squares_ - still_[std::size_t(tile)]);
     front_.push_back(tile);
     return true;
 }
@@ -125,6 +132,7 @@ void Wake::choose() {
 
 void Wake::look() {
     particle_steps_ += double(tiles_.stepped());
+    quiet_ += 2 * std::sqrt(still_squares_);
     if (done_ % now_and_then == 0) hear(source_tiles_);
     ++done_;
     const bool woken = !front_.empty() && listen(plan_.reach);

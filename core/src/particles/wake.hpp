@@ -8,9 +8,10 @@ namespace sphonic {
 
 /// Decides which tiles of a lattice at rest are stepped. A particle is loud if one of its values, as a difference from rest in its
 /// unit, exceeds a threshold times the largest amplitude so far. In a step, sound gets no further than the step reaches, from p
-/// to u to p: tiles within that of a loud particle are awake, from then on. All else is at rest, up to what quiet particles next to
-/// sleeping tiles would have sent there. With q_n the norm of their values after step n, no error grows beyond
-///   growth sum_n q_n,
+/// to u to p: tiles within that of a loud particle are awake, from then on. All else stands still as it begins, at rest or, in the
+/// tails of a pulse, nearly so, up to what quiet particles next to sleeping tiles would have sent there. With q_n the norm of the latter's
+/// values after step n and s_n that of what stands still, each step does wrong by no more than q_n + 2 s_n, and no error grows beyond
+///   growth sum_n (q_n + 2 s_n),
 /// and the threshold is such that this stays below 1e-12 of the largest amplitude. Where only some places are asked for, a tile
 /// is dropped when they lie further from it than the steps that are left reach: what it then would do cannot get there.
 class Wake {
@@ -52,6 +53,8 @@ private:
     std::vector<char> awake_, stepped_;
     std::vector<long> front_, source_tiles_;    ///< awake tiles that have sleeping ones in reach; those with sources
     std::vector<double> asked_distance_;        ///< of each tile [dx]; empty where all is asked for
+    std::vector<double> still_;    ///< squares of the values that a tile begins with, for those that sleep then
+    double still_squares_ = 0;     ///< of those that sleep
     double threshold_, amplitude_ = 0, quiet_ = 0, particle_steps_ = 0, ideal_steps_ = 0;
     long done_ = 0;
 
