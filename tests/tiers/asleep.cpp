@@ -65,7 +65,7 @@ double share(const std::string& text, std::vector<std::string> set, bool compact
 }
 
 double share(int dimension, const std::vector<std::string>& set) {
-    return share(pulse(dimension, dimension == 1 ? 400 : dimension == 2 ? 120 : 60, dimension == 3 ? 12 : 40), set);
+    return share(pulse(dimension, dimension == 1 ? 1600 : dimension == 2 ? 120 : 60, dimension == 3 ? 12 : 40), set);
 }
 
 std::string walls(const std::string& type) { return "/boundaries=[" + face("all", type) + "]"; }
@@ -85,7 +85,7 @@ TEST_CASE("the wake is as wide as a whole step reaches, wherever in a tile the s
     for (int x = 100; x < 132; ++x) {
         INFO("one particle, at " << x);
         for (const char* type : {"leapfrog", "rk4"})
-            CHECK(share(pulse(1, 400, 10), {integrator(type), "/initial/p=exp(-1e4*(x-" + std::to_string(x) + ")^2)"}) < 0.7);
+            CHECK(share(pulse(1, 1600, 10), {integrator(type), "/initial/p=exp(-1e4*(x-" + std::to_string(x) + ")^2)"}) < 0.7);
     }
 }
 
@@ -93,12 +93,12 @@ TEST_CASE("walls see the sound that comes to them", "[asleep]") {
     for (const int d : {1, 2})
         for (const char* type : {"free", "periodic", "rigid", "soft", "absorbing_mur", "soft_fdtd"}) {
             INFO(d << "-D, " << type);
-            const int n = d == 1 ? 600 : 150;
+            const int n = d == 1 ? 2400 : 150;
             CHECK(share(pulse(d, n, n, 0.1), {walls(type)}) < 1);
         }
     const std::string layer = R"(/boundaries=[{"type":"absorbing_layer","face":"all","thickness":12,"attenuation":60}])";
     CHECK(share(pulse(2, 150, 100, 0.15), {layer}) < 1);
-    CHECK(share(pulse(1, 400, 300, 0.1), {R"(/boundaries=[{"type":"impedance","face":"all","impedance":6}])"}) < 1);
+    CHECK(share(pulse(1, 1600, 1200, 0.1), {R"(/boundaries=[{"type":"impedance","face":"all","impedance":6}])"}) < 1);
 }
 
 TEST_CASE("the tails of a pulse stand still until there is sound to speak of, and nothing changes", "[asleep]") {
@@ -142,7 +142,7 @@ TEST_CASE("particles that can no longer matter to probes are dropped without a t
     for (const int d : {1, 2, 3})
         for (const char* type : {"leapfrog", "rk4", "velocity_verlet"}) {
             const std::string probes = d == 1 ? "[[180],[10]]" : d == 2 ? "[[60,50]]" : "[[30,24,24]]";
-            const std::string text = pulse(d, d == 1 ? 400 : d == 2 ? 120 : 60, d == 3 ? 14 : 60);
+            const std::string text = pulse(d, d == 1 ? 1600 : d == 2 ? 120 : 60, d == 3 ? 14 : 60);
             std::vector<std::string> set{integrator(type), walls("rigid"), "/output/probes=" + probes};
             const End whole = end(scene(text, set));
             set.push_back("/output/fields=false");

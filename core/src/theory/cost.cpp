@@ -21,6 +21,7 @@ constexpr double to_begin = 2000, each_sample = 100;
 
 /// Of what could ideally be saved where particles sleep.
 constexpr double saving = 0.8;
+constexpr double looking = 300;    ///< for what sleeps, a step [ns]
 
 bool in_pairs(const std::string& tier) { return tier.starts_with("frozen") && tier != "frozen_runs"; }
 
@@ -82,7 +83,8 @@ double predicted_seconds(const CostModel& costs, const Case& scene, const Summar
     const double nominal = work.particles * double(prepared.steps), ideal = prepared.ideal_particle_steps;
     const double asleep = ideal >= 0 ? saving * std::max(0.0, 1 - ideal / nominal) : 0;
     const double step = transform_factor(scene, work.tier) * step_cost(costs, work) + passes(costs, scene, prepared) * work.particles;
-    return 1e-9 * (to_begin + each_sample * samples + step * double(prepared.steps) * (1 - asleep));
+    const double looks = ideal >= 0 ? looking * double(prepared.steps) : 0;
+    return 1e-9 * (to_begin + each_sample * samples + looks + step * double(prepared.steps) * (1 - asleep));
 }
 
 }    // namespace sphonic
