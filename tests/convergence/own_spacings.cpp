@@ -150,6 +150,7 @@ TEST_CASE("spacings of media's own are refused where they have no meaning", "[ow
     CHECK(refusal({"/medium/0/dx=0.1"}).find("/medium/0/dx: the first medium's spacing is that of the particles") != std::string::npos);
     CHECK(refusal({"/medium/1/dx=0"}).find("/medium/1/dx") != std::string::npos);
     CHECK(refusal({"/medium/1/dx=auto"}).find("/medium/1/dx: \"auto\" is still to be planned") != std::string::npos);
+    CHECK(refusal({"/medium/1/dx=1e-12"}).find("of the smallest long. Choose a larger dx") != std::string::npos);
     CHECK(refusal({"/dimension=2", "/particles/lower=[-2,0]", "/particles/upper=[3,1]"}).find("more than one dimension") != std::string::npos);
     CHECK(refusal({"/particles/type=blue_noise"}).find("do not lie on a lattice") != std::string::npos);
     CHECK(refusal({R"(/sources=[{"type":"point","signal":"gaussian","duration":1}])", methods[0]}).find("/sources/0: it is spread over particles of media with different dx") != std::string::npos);

@@ -1,5 +1,5 @@
 /// The spacings that a search may try.
-#include "choices.hpp"
+#include "spacings.hpp"
 
 #include <catch2/catch.hpp>
 #include <sphonic/json.hpp>

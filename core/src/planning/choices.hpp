@@ -17,21 +17,8 @@ struct Choice {
     /// The case at a spacing [m], with nothing open; `shortest` is the scene's wavelength that must still be carried [m].
     Json apply(const OpenCase& open, double dx, double shortest) const;
     std::string name() const;    ///< with the step
-
-private:
-    double spread(const OpenCase& open, double dx, Json& document) const;
 };
 
-bool several_media(const OpenCase& open);
-/// Of the sound in a medium of a document [m/s].
-double speed(const Json& medium);
-
 std::vector<Choice> choices(const OpenCase& open);
-
-/// Spacings [m] from coarse to fine, by a tenth or a twentieth each, at which both ends of every closed axis lie on particles; of several media each
-/// with the next three. The case's own, if it decides.
-std::vector<double> spacings(const OpenCase& open, double coarsest, double most_particles);
-/// Those of the kind that lie between two of them, at most three, from coarse to fine.
-std::vector<double> spacings_between(const OpenCase& open, double coarser, double finer);
 
 }    // namespace sphonic

@@ -10,6 +10,7 @@
 #include "choices.hpp"
 #include "cost.hpp"
 #include "machine.hpp"
+#include "spacings.hpp"
 
 namespace sphonic {
 namespace {

@@ -7,6 +7,7 @@
 #include <sphonic/shown.hpp>
 
 #include "choices.hpp"
+#include "spacings.hpp"
 
 namespace sphonic {
 namespace {

@@ -81,6 +81,17 @@ bool OpenCase::whole(int axis) const {
     return false;
 }
 
+bool several_media(const OpenCase& open) { return open.document.contains("medium") && open.document["medium"].is_array() && open.document["medium"].size() > 1; }
+
+bool off_sites(const OpenCase& open) {
+    const Json& particles = open.document["particles"];
+    return particles["type"] != "lattice" || particles.value("jitter", Json(0)) != 0;
+}
+
+bool displaced(const OpenCase& open) { return off_sites(open) || open.document.contains("obstacles"); }
+
+double speed(const Json& medium) { return medium.value("c0", 1.0); }
+
 OpenCase opened(const Json& document, const std::string& file, bool free) {
     require_box(document, file);
     OpenCase open{.document = document, .file = file};

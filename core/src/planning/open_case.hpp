@@ -27,6 +27,14 @@ struct OpenCase {
     bool whole(int axis) const;
 };
 
+bool several_media(const OpenCase& open);
+/// Particles that do not lie on the sites of a lattice.
+bool off_sites(const OpenCase& open);
+/// Particles that are no whole lattice.
+bool displaced(const OpenCase& open);
+/// Of the sound in a medium of a document [m/s].
+double speed(const Json& medium);
+
 /// Errors stand at the members that planning needs: /dimension, and /particles with lower and upper.
 OpenCase opened(const Json& document, const std::string& file, bool free);
 

@@ -12,6 +12,7 @@
 #include "ladder.hpp"
 #include "layers.hpp"
 #include "search.hpp"
+#include "spacings.hpp"
 
 namespace sphonic {
 namespace {

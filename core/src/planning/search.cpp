@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "machine.hpp"
+#include "spacings.hpp"
 
 namespace sphonic {
 namespace {

@@ -57,6 +57,7 @@ Expression::Constants constants(const Case& scene, const abi::Medium& medium);
 Expression::Constants constants(const Case& scene);
 
 void read_space(Case& scene, Section& root, Registry& registry);        // particles, boundaries
+void read_media(Case& scene, Section& root);                              // medium: one, or a list, of which the first fills the box, the others their regions
 void lay_out(Case& scene, const Section& root);                           // counts the particles, once the media's spacings are known
 void read_kernels(Case& scene, Section& root, Registry& registry);      // kernel, kernels
 void read_equations(Case& scene, Section& root, Registry& registry);    // equations, viscosity, dissipation
