@@ -26,7 +26,7 @@ Json output_schema() {
 /// One medium, or a list whose first fills the box.
 Json medium_schema() {
     Json whole = rows_of("medium");
-    whole.erase("region");
+    for (const char* of_others : {"region", "dx"}) whole.erase(of_others);
     Json list = list_of(closed(rows_of("medium"), {"c0", "rho0", "region"}));
     list["prefixItems"] = Json::array({closed(whole, {"c0", "rho0"})});
     list["minItems"] = 1;

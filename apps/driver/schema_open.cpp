@@ -27,6 +27,12 @@ void drop_name(Json& names, const std::string& name) {
     names = kept;
 }
 
+/// A number, or "auto": what holds for numbers says nothing of texts.
+void open_number(Json& member) {
+    member["type"] = Names{member["type"], "string"};
+    member["pattern"] = "^auto$";
+}
+
 /// A member of every plugin of a kind that has it.
 void open_member(Json& definition, const std::string& kind, const std::string& key) {
     if (key == "type") {
@@ -41,9 +47,7 @@ void open_member(Json& definition, const std::string& kind, const std::string& k
     for (Json& plugin : definition["allOf"]) {
         Json& body = plugin["then"];
         if (!body.contains("properties") || !body["properties"].contains(key)) continue;
-        Json& member = body["properties"][key];    // a number: what holds for these says nothing of texts
-        member["type"] = Names{member["type"], "string"};
-        member["pattern"] = "^auto$";
+        open_number(body["properties"][key]);
         if (body.contains("required")) drop_name(body["required"], key);
     }
 }
@@ -71,6 +75,8 @@ Json with_open_places(Json schema, const Json& needs) {
             Json& member = schema["properties"][parts[0]];
             member = or_auto(member);
             drop_name(schema["required"], parts[0]);
+        } else if (parts[0] == "medium") {
+            open_number(schema["properties"]["medium"]["anyOf"][1]["items"]["properties"][parts.back()]);    // of the list
         } else {
             open_member(schema["$defs"][kinds.at(parts[0])], kinds.at(parts[0]), parts.back());
         }

@@ -101,6 +101,12 @@ DENSITY = {"drho": [TERM | {"times": "-rho0"}], "p": {"state": "acoustic", "of":
 PLANNED = [("method",), ("equations",), ("kernel",), ("integrator",), ("integrator", "type"), ("integrator", "courant"), ("particles", "dx")]
 OPEN = [(("viscosity",), ABSENT), (("until",), 0.003), (("kernel",), {"type": "cubic_spline", "h_over_dx": 1.3})]
 LAYER = [{"type": "absorbing_layer", "face": "x_max", "thickness": 1, "attenuation": "auto"}]
+GRID = [(("method",), {"type": "fdtd"}), (("equations",), ABSENT), (("viscosity",), ABSENT), (("kernel",), ABSENT)]
+
+
+def media(first={}, **second):
+    air = {"c0": 340, "rho0": 1.2}
+    return GRID + [(("medium",), [air | first, air | {"region": "x > 3"} | second])]
 
 
 def edited(*edits):
@@ -183,6 +189,8 @@ changes = [
     [(("method",), {"type": "particles"})], [(("method",), {})], [(("method",), {"type": "fdtd"})],
     [(("method",), {"type": "fdtd"}), (("equations",), ABSENT)],
     [(("method",), {"type": "fdtd"}), (("equations",), ABSENT), (("viscosity",), ABSENT), (("kernel",), ABSENT)],
+    # media
+    media(), media(dx=0.02), media(dx=-1), media(dx="auto"), media(dx="atuo"), media({"dx": 0.02}), media(dx="auto") + [(("accuracy",), {"target": 0.2}), (("until",), 0.003)],
     # what plan decides
     [(("accuracy",), {"target": 2})], [(("accuracy",), {"goal": 0.1})],
     *[[(path, "auto")] for path in PLANNED],

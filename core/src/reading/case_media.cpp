@@ -51,13 +51,14 @@ void read_media(Case& scene, Section& root) {
         if (i == 0) {
             scene.medium = medium;
             media = std::make_shared<MediaMap>(medium);
-            if (section.has("dx")) section.fail("dx", "the first medium's spacing is that of the particles", "Give it as dx of \"particles\"");
+            if (section.value().contains("dx")) section.fail("dx", "the first medium's spacing is that of the particles", "Give it as dx of \"particles\"");
+            spacing.push_back(scene.box.dx);
         } else {
             const std::string text = section.read(common_key("medium", "region")).text;
             if (text.empty()) section.fail("region", "is missing", "Give a condition on x, y, z, r: the first medium fills the box, the others their regions");
             media->add(medium, Region(text, constants(scene), scene.box.dimension, section.place("region")));
+            spacing.push_back(section.optional_real(common_key("medium", "dx")).value_or(scene.box.dx));
         }
-        spacing.push_back(section.optional_real(common_key("medium", "dx")).value_or(scene.box.dx));
         section.finish();
         resolved.push_back(section.resolved);
     }
