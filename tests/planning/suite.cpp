@@ -143,6 +143,9 @@ TEST_CASE("media get spacings in proportion to their speeds where that is cheape
     CHECK(std::abs(water / air * 340 / 1480 - 1) <= 0.1);
     for (const double intervals : {3 / air, 9 / water}) CHECK(std::abs(intervals - std::floor(intervals) - 0.5) <= 1e-6);
     CHECK(std::ranges::any_of(plan.decisions, [](const Decision& d) { return d.what == "/medium/1/dx"; }));
+    REQUIRE(plan.ladder.size() >= 2);
+    CHECK(plan.ladder.back().name == "a spacing for each medium");
+    CHECK(plan.ladder.back().cpu_s < plan.ladder[plan.ladder.size() - 2].cpu_s / 4);
     const Case c = load_case(plan.document, "air_to_water.json", registry());
     const Summary planned = run(c);
     CHECK(planned.errors->l2 <= 0.01);
