@@ -108,6 +108,14 @@ TEST_CASE("the tails of a pulse stand still until there is sound to speak of, an
         CHECK(share(pulse(1, 2400, 1000), from("exp(-((x - 800)/60)^2)"), false) < 0.7);    // which is not zero anywhere
         CHECK(share(pulse(2, 160, 60), from("exp(-((x - 64)^2 + (y - 64)^2)/36)"), false) < 0.8);
     }
+    for (const char* type : {"symplectic_euler", "velocity_verlet", "rk4", "ab2", "rk2", "leapfrog_li2015"}) {    // with stages and with histories
+        INFO(type);
+        CHECK(share(pulse(1, 2400, 600), {integrator(type), walls("rigid"), R"json(/initial={"p":"exp(-((x - 800)/60)^2)"})json"}, false) < 0.7);
+    }
+    for (const char* type : {"soft", "soft_fdtd", "absorbing_mur"}) {    // that see the tail
+        INFO(type);
+        CHECK(share(pulse(1, 2400, 1000), {walls(type), R"json(/initial={"p":"exp(-((x - 480)/60)^2)"})json"}, false) < 0.8);
+    }
 }
 
 TEST_CASE("little that could sleep is not looked for", "[asleep]") {
