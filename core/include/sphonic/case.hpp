@@ -157,6 +157,8 @@ struct Case {
     Behind behind(int variable) const;
     /// x of a point of the set, of which `s` is the first coordinate [m].
     double place(double s) const { return stretch ? stretch->place(s) : s; }
+    /// The coordinate along an axis of the set of a point of which `x` is the coordinate along that of the scene [m].
+    double site(int axis, double x) const { return axis == 0 && stretch ? stretch->site(x) : x; }
     /// Volume that a particle stands for [m^d].
     double particle_volume() const { return arrangement->volume(box); }
 };

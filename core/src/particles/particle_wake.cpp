@@ -46,7 +46,7 @@ std::vector<char> ParticleSystem::asked_for() const {
         asked[i] = scene_.reference && scene_.reference->region->contains(x);
         for (const auto& probe : scene_.output.probes) {
             bool near = true;
-            for (std::size_t a = 0; a < probe.size(); ++a) near = near && std::abs(x[a] - (a == 0 && scene_.stretch ? scene_.stretch->site(probe[0]) : probe[a])) <= scene_.box.dx;
+            for (std::size_t a = 0; a < probe.size(); ++a) near = near && std::abs(x[a] - scene_.site(int(a), probe[a])) <= scene_.box.dx;
             asked[i] = asked[i] || near;
         }
     }

@@ -71,10 +71,7 @@ double of_difference(const Case& scene) { return scene.obstacles.empty() && scen
 using Place = std::array<long, 3>;
 Place place_of(const Case& scene, const Profile& profile, std::size_t i, double dx) {
     Place place{0, 0, 0};
-    for (int a = 0; a < scene.box.dimension; ++a) {
-        const double x = profile.x[a][i], s = a == 0 && scene.stretch ? scene.stretch->site(x) : x;
-        place[std::size_t(a)] = std::lround((s - scene.box.lower[a]) / dx);
-    }
+    for (int a = 0; a < scene.box.dimension; ++a) place[std::size_t(a)] = std::lround((scene.site(a, profile.x[a][i]) - scene.box.lower[a]) / dx);
     return place;
 }
 

@@ -9,18 +9,12 @@ namespace {
 
 constexpr double looks = 4;    ///< for media, in the smallest spacing
 
-int medium_at(const abi::Media& media, double x) {
-    int number = 0;
-    media.find(media.host, {.dimension = 1, .n = 1, .x = {&x}}, &number);
-    return number;
-}
-
 /// Where the medium changes between `low`, of number `before`, and `high`.
 double interface_between(const abi::Media& media, double low, double high, int before) {
     for (;;) {
         const double middle = std::midpoint(low, high);
         if (middle <= low || middle >= high) return high;
-        (medium_at(media, middle) == before ? low : high) = middle;
+        (media.number_at(1, &middle) == before ? low : high) = middle;
     }
 }
 
@@ -28,11 +22,11 @@ double interface_between(const abi::Media& media, double low, double high, int b
 
 std::vector<Stratum> strata(const abi::Box& box, const abi::Media& media, double step) {
     const long n = long(std::ceil((box.upper[0] - box.lower[0]) / step));
-    std::vector<Stratum> list{{.begin = box.lower[0], .end = box.upper[0], .medium = medium_at(media, box.lower[0])}};
+    std::vector<Stratum> list{{.begin = box.lower[0], .end = box.upper[0], .medium = media.number_at(1, box.lower)}};
     double x = box.lower[0];
     for (long i = 1; i <= n; ++i) {
         const double next = std::lerp(box.lower[0], box.upper[0], double(i) / double(n));
-        if (const int there = medium_at(media, next); there != list.back().medium) {
+        if (const int there = media.number_at(1, &next); there != list.back().medium) {
             list.back().end = interface_between(media, x, next, list.back().medium);
             list.push_back({.begin = list.back().end, .end = box.upper[0], .medium = there});
         }

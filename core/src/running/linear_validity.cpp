@@ -34,8 +34,7 @@ std::optional<std::string> beyond_linear(const Case& scene, const abi::Snapshot&
     Loudness most = loudness_of(scene, shot);
     for (const SourceUse& use : scene.sources)
         if (const abi::PlaneWave* wave = use.source->wave()) {
-            int number = 0;
-            scene.media->find({.dimension = scene.box.dimension, .n = 1, .x = {wave->origin, wave->origin + 1, wave->origin + 2}}, &number);
+            const int number = scene.media->view().number_at(scene.box.dimension, wave->origin);
             const double ratio = std::abs(wave->amplitude) / bulk_modulus(scene.media->materials()[std::size_t(number)]);
             most = {std::max(most.compression, ratio), std::max(most.mach, ratio)};    // alike in a plane wave
         }

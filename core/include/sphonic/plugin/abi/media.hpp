@@ -18,8 +18,6 @@ struct Media {
     }
     /// Spacing of the particles at a point; `otherwise` if no medium has one of its own.
     double spacing_at(int dimension, const double* x, double otherwise) const { return spacing ? spacing[number_at(dimension, x)] : otherwise; }
-
-private:
     int number_at(int dimension, const double* x) const {
         Points one{.dimension = dimension, .n = 1};
         for (int a = 0; a < dimension; ++a) one.x[a] = x + a;
